@@ -1,5 +1,5 @@
-// What people wait for who work with loops: necks and handles of a model whose field is there, the
-// bottleneck of two points, and a cut of the same surface in 100,000 triangles.
+// Waiting times of people who work with loops: necks and handles of a model whose field is there,
+// the bottleneck of two points, and a cut of the same surface in 100,000 triangles.
 //
 //   loops [MODEL...]
 //

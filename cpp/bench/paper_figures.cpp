@@ -1,4 +1,4 @@
-// What Table I and Figure 6 of the paper measure, for each model: seconds for all vertices and
+// Measures of Table I and Figure 6 of the paper, for each model: seconds for all vertices and
 // memory of one thread, of the exact solver and, where asked for, of the naive algorithm (paper,
 // sections 4.2 and 5.1). One JSON object a line; `npm run bench:paper` makes tables and plots of
 // them.

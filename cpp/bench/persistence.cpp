@@ -1,4 +1,4 @@
-// What the persistent girth costs beside the girth itself, and the barcode of one point, on one
+// The cost of the persistent girth beside the girth itself, and the barcode of one point, on one
 // core by processor time.
 //
 //   persistence [--percent P] [--vertices N] [MODEL...]

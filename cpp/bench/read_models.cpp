@@ -1,4 +1,4 @@
-// What reading costs. Every file of the corpus that could be a model (GIRTH_DATA; or the files and
+// The cost of reading. Every file of the corpus that could be a model (GIRTH_DATA; or the files and
 // folders given as arguments): outcome, size, time, and the most memory held meanwhile as a
 // multiple of the decoded geometry. Then one generated surface of a million faces in every format
 // that is written here. `--faces N` makes that one larger or smaller, 0 leaves it out. Times are
@@ -41,7 +41,8 @@ struct Measured {
   double reading{0}, preparing{0};
   /// The most memory at once above the file itself.
   std::size_t peak{0};
-  /// What the file describes: its positions and triangles as numbers of 8 and 4 bytes.
+  /// Bytes of the geometry that the file describes: its positions and triangles as numbers of 8 and
+  /// 4 bytes.
   std::size_t geometry{0};
 
   double memoryRatio() const {
@@ -92,7 +93,7 @@ void measureCorpus(const std::vector<fs::path>& roots) {
     if (fs::is_directory(root)) {
       for (const auto& entry : fs::recursive_directory_iterator(root)) {
         const std::string ending = entry.path().extension().string();
-        // What models refer to, and is none itself.
+        // Files that models refer to, and that are none themselves.
         const bool part = ending == ".bin" || ending == ".mtl" || ending == ".csv" ||
                           ending == ".txt" || ending == ".md";
         if (entry.is_regular_file() && !part) files.push_back(entry.path());

@@ -1,4 +1,4 @@
-// What comparing shapes costs, on one thread: fast marching from one vertex, the distance of two
+// The cost of comparing shapes, on one thread: fast marching from one vertex, the distance of two
 // distributions, the transport between two joint histograms, the choice of words, and a whole model
 // with every group of fields.
 //

@@ -41,7 +41,7 @@ SurfaceMesh remeshed(const SurfaceMesh& mesh, Index faces, const girth::Executio
   return std::move(result).value().mesh;
 }
 
-/// The same surface with each triangle cut into four by the middles of its sides.
+/// A surface with each triangle cut into four by the middles of its sides.
 SurfaceMesh divided(const SurfaceMesh& mesh) {
   girth::TriangleSoup soup;
   const auto add = [&](const girth::Vec3& p) {

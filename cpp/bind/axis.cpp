@@ -17,7 +17,7 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
-/// What the axis needs of `GirthStation[]` of types.ts.
+/// The stations that the axis needs, of `GirthStation[]` of types.ts.
 GirthProfile stationsOf(const val& stations) {
   GirthProfile profile;
   for (unsigned i = 0; i < stations["length"].as<unsigned>(); ++i) {

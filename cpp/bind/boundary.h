@@ -1,4 +1,4 @@
-// What crosses between C++ and JavaScript: arrays are copied both ways, failures become plain
+// Values that cross between C++ and JavaScript: arrays are copied both ways, failures become plain
 // objects.
 #pragma once
 

@@ -15,9 +15,9 @@
 
 namespace girth::bind {
 
-/// What drawn points are relative to (`MeshGeometry.origin` of types.ts): 0, 0, 0; for surfaces
-/// that lie more than 64 times their size away from it, such as scans of places on Earth, their
-/// middle. Linear in the vertices.
+/// The point that drawn points are relative to (`MeshGeometry.origin` of types.ts): 0, 0, 0; for
+/// surfaces that lie more than 64 times their size away from it, such as scans of places on Earth,
+/// their middle. Linear in the vertices.
 inline Vec3 drawingOrigin(const SurfaceMesh& mesh) {
   constexpr double kFar = 64;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

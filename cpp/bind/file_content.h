@@ -1,4 +1,4 @@
-// What a model's file has besides its surface, on its way to JavaScript and back to writers.
+// The content of a model's file besides its surface, on its way to JavaScript and back to writers.
 #pragma once
 
 #include <emscripten/val.h>

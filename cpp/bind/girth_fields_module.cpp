@@ -21,7 +21,7 @@ struct AllFields {
                                      : io::methodText(request.name, request.options);
   }
 
-  /// What a user should know of a field's values, of which so many are missing.
+  /// A note on a field's values for users; so many are missing.
   static std::string noteOf(const FieldRequest& request, const SurfaceMesh& mesh,
                             Index withoutValue) {
     return fieldNote(mesh, request.name, withoutValue);

@@ -31,7 +31,7 @@ class JobSurface {
 
   const SurfaceMesh& mesh() const { return loaded_.mesh; }
 
-  /// What drawn points of the surface are relative to.
+  /// The point that drawn points of the surface are relative to.
   const Vec3& origin() const { return origin_; }
 
   /// The surface as its results are drawn.
@@ -44,7 +44,7 @@ class JobSurface {
     return loaded_;
   }
 
-  /// The same, to be given what the file has besides while something is written.
+  /// The loaded mesh, to be given the rest of the file while something is written.
   io::LoadedMesh& loaded() { return loaded_; }
 
  private:

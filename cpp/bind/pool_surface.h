@@ -1,4 +1,4 @@
-// What a worker without threads holds of a surface: values and loops, vertex by vertex. Each worker
+// A surface as a worker without threads holds it: values and loops, vertex by vertex. Each worker
 // of a pool has an instance of its module, and so has the worker that answers for the pointer.
 #pragma once
 
@@ -78,7 +78,7 @@ class PoolSurface {
     });
   }
 
-  /// The same of a persistence.
+  /// The loop of a persistence at a point.
   val persistentLoop(const val& point, double persistence) {
     return guarded([&] {
       solver().setPersistence(persistence);
@@ -168,7 +168,7 @@ class PoolSurface {
   FieldRequest evaluated_;
 };
 
-/// What each module has of it. Returns the class, for what a module has beyond that.
+/// Binds the calls that each module has. Returns the class, for calls that one module adds.
 template <class Surface>
 emscripten::class_<Surface> bindPoolSurface() {
   emscripten::function("exactSurface", &exactSurface<Surface>);

@@ -30,7 +30,7 @@ inline Result<RefinedOptions> refinedOptionsOf(const emscripten::val& request) {
                         static_cast<std::uint64_t>(seed)};
 }
 
-/// What a user should know of the values, in words.
+/// A note on the values for users.
 inline std::string refinedNote(const RefinedGirth& refined) {
   const auto missing = std::count_if(refined.field.values.begin(), refined.field.values.end(),
                                      [](double value) { return std::isnan(value); });

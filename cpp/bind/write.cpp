@@ -36,7 +36,7 @@ struct WrittenField {
   io::VertexField view() const { return {name, values, unit, method, kinds}; }
 };
 
-/// Of a `WrittenModel` of protocol.ts.
+/// The name and the unit of a `WrittenModel` of protocol.ts.
 std::string nameOf(const val& model) { return model["name"].as<std::string>(); }
 std::string unitOf(const val& model) { return model["unit"].as<std::string>(); }
 double persistenceOf(const val& model) { return model["persistence"].as<double>(); }

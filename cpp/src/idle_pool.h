@@ -1,4 +1,4 @@
-// What threads work with, kept from one piece of work to the next.
+// Objects that threads work with, kept from one piece of work to the next.
 #pragma once
 
 #include <memory>

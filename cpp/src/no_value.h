@@ -1,4 +1,4 @@
-// What stands where a field or a summary has no value.
+// The number that stands where a field or a summary has no value.
 #pragma once
 
 #include <limits>

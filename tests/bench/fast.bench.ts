@@ -199,7 +199,7 @@ test('brushing the histogram of 100K vertices', async () => {
         await frame();
         const clientX = left + (0.3 + (0.6 * i) / moves) * width;
         const event = new PointerEvent('pointermove', { clientX, clientY: y, bubbles: true });
-        // What is asked for first is called first in the frame.
+        // A frame that is asked for first is called first.
         const first = frame();
         const begun = performance.now();
         over.dispatchEvent(event);

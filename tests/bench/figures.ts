@@ -6,7 +6,7 @@ export interface Figure {
   what: string;
   figure: string;
   goal: string;
-  /** Of the figure to the goal: at most 1 where it is met. */
+  /** The ratio of the figure to the goal: at most 1 where it is met. */
   ratio: string;
 }
 

@@ -1,4 +1,4 @@
-// What jobs on a surface cost where they find it in their worker, against what they cost where the worker
+// The cost of jobs on a surface where they find it in their worker, against what they cost where the worker
 // is given the arrays and builds the surface first, which is what the first job of a mesh does. Both in one
 // page, in turns; of the times the median counts. Fields are made up: jobs do not compute them.
 

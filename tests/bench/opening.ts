@@ -5,7 +5,7 @@ import type { chromiumForTests } from '../browser/support.js';
 import { withoutDrawing } from '../browser/long-tasks.js';
 import { type Task, recordTasks } from './tasks.js';
 
-/** What the page at an address does until the chair is computed, and from then on until the octopus is. */
+/** The tasks of the page at an address until the chair is computed, and from then on until the octopus is. */
 export async function tasksOfOpening(
   openPage: ReturnType<typeof chromiumForTests>,
   address: string,

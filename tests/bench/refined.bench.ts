@@ -62,7 +62,7 @@ test.skipIf(!corpus)('a divided dancer, refined', { timeout: 1_800_000 }, async 
   figures.push(figure('memory of the page and its workers', 'MB', held() / 1e6, goals.memory));
   await server.close();
 
-  /** Of the page's own thread from now on: a function that takes the tasks of more than 50 ms since it was called last. */
+  /** A function that takes the tasks of more than 50 ms of the page's own thread since it was called last. */
   async function watchTasks(): Promise<() => Promise<number[]>> {
     await page.evaluate(() => {
       const tasks: number[] = [];

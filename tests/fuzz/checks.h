@@ -1,4 +1,4 @@
-// What must hold of everything that a reader gives back, whatever the bytes were.
+// Checks that must hold of everything that a reader gives back, whatever the bytes were.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ void check(const Error& error);
 /// Ends the program where a rule of readModel is broken. Always 0, which libFuzzer wants to hear.
 int check(const Result<io::ReadModel>& model);
 
-/// The same of readMesh.
+/// Checks the result of readMesh.
 int check(const Result<io::LoadedMesh>& loaded);
 
 }  // namespace girth::fuzz

@@ -7,7 +7,7 @@
 
 namespace {
 
-/// What is unpacked is within the bound on memory; every failure is a coded error.
+/// Unpacked content is within the bound on memory; every failure is a coded error.
 void checkContent(const girth::Result<std::vector<std::byte>>& content, std::size_t packed) {
   if (!content) return girth::fuzz::check(content.error());
   girth::fuzz::demand(content.value().size() <= girth::cli::unpackedLimit(packed),

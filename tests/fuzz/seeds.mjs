@@ -321,7 +321,7 @@ async function dracoBuffer() {
   return Buffer.from(Array.from({ length }, (_, i) => encoded.GetValue(i)));
 }
 
-/** The same by meshopt, one after the other, each from a multiple of four bytes on. */
+/** Buffers by meshopt, one after the other, each from a multiple of four bytes on. */
 async function meshoptBuffers() {
   await MeshoptEncoder.ready;
   return /** @type {const} */ ([

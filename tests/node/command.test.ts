@@ -94,7 +94,7 @@ function crc32(bytes: Uint8Array): number {
   return ~remainder >>> 0;
 }
 
-/** What a program does in a folder: what it prints, its exit code, and the files that it writes. */
+/** The outcome of a program in a folder: what it prints, its exit code, and the files that it writes. */
 function done(cwd: string, file: string, args: string[], input?: string) {
   const before = new Set(readdirSync(cwd));
   const { status, signal, stdout, stderr } = spawnSync(file, args, { cwd, input });
@@ -113,7 +113,7 @@ function done(cwd: string, file: string, args: string[], input?: string) {
   };
 }
 
-/** What a run takes, of time and of memory, differs; everything else does not. */
+/** Time and memory of runs differ; everything else does not. */
 const timeless = (text: string) =>
   text
     .replace(/\b\d+(\.\d+)? (ms|s|min \d+ s)\b/g, '… s')
@@ -195,7 +195,7 @@ test.each(['info', 'igf', 'loop', 'tips', 'parts', 'field'])(
   },
 );
 
-/** What is too thin ends with the code 4. */
+/** Runs that find something too thin end with the code 4. */
 const checks = [
   'parts torus.obj --unit mm --min-tube 300mm --min-wall 100mm --json',
   'parts torus.obj --unit mm --min-gap 100mm',
@@ -332,7 +332,7 @@ test('Ctrl-C stops it, and nothing half is left', async () => {
 });
 
 test('npx finds it in the package', () => {
-  // What npm does when it has unpacked a package: it links the package's programs.
+  // As npm does when it has unpacked a package: it links the package's programs.
   execFileSync('npm', ['rebuild', '--ignore-scripts', '--offline', 'girth'], {
     cwd: folder,
     stdio: 'ignore',

@@ -15,7 +15,7 @@ interface Block {
   text: string;
 }
 
-/** What a document has between ``` and ```, in order. */
+/** The blocks of a document between ``` and ```, in order. */
 function blocksOf(file: string): Block[] {
   const text = readFileSync(join(repository, file), 'utf8');
   return [...text.matchAll(/^```(\w*)\n([^]*?)^```$/gm)].map(([, language = '', text = '']) => ({
@@ -118,7 +118,7 @@ test('README.md and javascript.md: their programs', () => {
   expect(readFileSync(join(folder, 'values.csv'), 'utf8')).toMatch(/^vertex,igf,kind\n/);
 });
 
-/** What the captions of figures say of the loop at a vertex. */
+/** Claims of figures' captions about the loop at a vertex. */
 const claims = [
   { page: 'girth', model: 'dumbbell', vertex: 806, kind: 'loop', says: '130 mm' },
   { page: 'girth', model: 'dumbbell', vertex: 676, kind: 'antipodal', says: '1.21 m' },
@@ -158,7 +158,7 @@ test('no line is left out for its language', () => {
   const languages = documents.flatMap((document) =>
     blocksOf(document).map(({ language }) => `${dirname(document)}: ${language}`),
   );
-  // What is not run here: C++ and CMake by tests/cpp/package/readme.sh, Python by tests/python/test_documents.py, HTML
+  // Languages that are not run here: C++ and CMake by tests/cpp/package/readme.sh, Python by tests/python/test_documents.py, HTML
   // by tests/browser/docs.test.ts.
   expect(new Set(languages.map((line) => line.split(': ')[1]))).toEqual(
     new Set(['sh', 'text', 'js', 'cpp', 'cmake', 'python', 'html']),

@@ -53,7 +53,7 @@ async function run(code: string, ...options: string[]) {
   return { status: exitCode ?? signal, stdout, stderr };
 }
 
-/** What a program that has gone well prints as JSON. */
+/** The JSON that a program prints which has gone well. */
 async function printed(code: string): Promise<unknown> {
   const { status, stdout, stderr } = await run(
     `import { createKernel, GirthError } from 'girth';
@@ -65,7 +65,7 @@ async function printed(code: string): Promise<unknown> {
   return JSON.parse(stdout) as unknown;
 }
 
-/** What the command writes about a model. */
+/** The file that the command writes about a model. */
 function written(...words: string[]): string {
   const output = inFolder('by-command.csv');
   execFileSync(command, [...words, '-o', output], { cwd: folder, stdio: 'ignore' });

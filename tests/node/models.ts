@@ -11,7 +11,7 @@ interface Surface {
   indices: Uint32Array;
 }
 
-/** Of vertices and triangles, without anything else. */
+/** The surface of vertices and triangles, without anything else. */
 function surfaceOf(obj: string): Surface {
   const numbers = (mark: string) =>
     obj

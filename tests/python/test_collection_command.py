@@ -99,7 +99,7 @@ def test_a_full_disk_keeps_the_store_and_not_the_answer(listed, tmp_path, capsys
     said = capsys.readouterr()
     assert "FILE_UNWRITABLE" in said.err and "No space left" in said.err and "make room" in said.err
     assert "6 models: 5 computed, 0 found in the store, 1 failed" in said.out
-    # What was asked for goes elsewhere, and is written.
+    # The matrix that was asked for goes elsewhere, and is written.
     assert command.run(["matrix", *words, "-o", str(tmp_path / "igf.npy")]) == 2
     assert "No space left" in capsys.readouterr().err
     matrix = np.load(tmp_path / "igf.npy")

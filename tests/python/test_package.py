@@ -70,7 +70,7 @@ class Stub:
         places = given.posonlyargs + given.args
         words = [f"self: pygirth._girth.{of}"] if of else []
         for number, argument in enumerate(places[1:] if of else places):
-            # What has no name cannot be passed by one.
+            # An argument without a name cannot be passed by one.
             name = f"arg{number}" if argument in given.posonlyargs else argument.arg
             words.append(f"{name}: {self.type_of(argument.annotation)}")
         return f"{function.name}({', '.join(words)})", self.type_of(function.returns)
@@ -111,7 +111,7 @@ def test_all_names_that_are_public_are_exported():
             for name, value in vars(module).items()
             if not name.startswith("_") and getattr(value, "__module__", "") == module.__name__
         }
-        # Of errors there is one function that only the core calls, and one that only the package does.
+        # The module of errors has one function that only the core calls, and one that only the package does.
         assert own - {"exception_of", "input_error"} <= set(module.__all__)
         assert all(hasattr(module, name) for name in module.__all__)
         assert set(module.__all__) - {"Point", "error_codes"} <= set(pygirth.__all__)

@@ -7,9 +7,10 @@ import { filesBelow } from './stale.mjs';
 
 /** Folders whose comments are checked. The others follow, folder by folder. */
 const folders = [
-  ...['cpp/cli', 'cpp/cmake', 'cpp/include', 'cpp/io/files', 'cpp/io/formats', 'cpp/io/text'],
-  ...['cpp/python/backend', 'cpp/python/pygirth', 'cpp/study'],
-  ...['web/docs', 'web/examples', 'web/scripts', 'web/src/node'],
+  'cpp',
+  ...['tests/bench', 'tests/fuzz', 'tests/node', 'tests/python'],
+  ...['web/docs', 'web/examples', 'web/scripts'],
+  ...['web/src/kernel', 'web/src/node', 'web/src/view'],
 ];
 
 const opening = /^(?:And of|Of|The same|Those|What|Who)\b/;

@@ -12,7 +12,7 @@ namespace surface = geometrycentral::surface;
 
 namespace {
 
-/// What serves for any number of propagations.
+/// The objects that serve for any number of propagations.
 struct Prepared {
   std::unique_ptr<surface::ManifoldSurfaceMesh> mesh;
   std::unique_ptr<surface::VertexPositionGeometry> geometry;

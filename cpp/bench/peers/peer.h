@@ -1,5 +1,5 @@
-// What a peer of `single_source` is: PROGRAM FILE.obj SOURCE prints `seconds S` (processor time of
-// the fastest of three runs, reading the file left out), then the distance of every vertex from
+// The form of a peer of `single_source`: PROGRAM FILE.obj SOURCE prints `seconds S` (processor time
+// of the fastest of three runs, reading the file left out), then the distance of every vertex from
 // vertex SOURCE, counted from 0, one a line with all digits.
 #pragma once
 

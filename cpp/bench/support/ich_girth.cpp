@@ -365,12 +365,12 @@ struct IchGirth::State {
   const SurfaceMesh& mesh;
   IchFilter filter;
 
-  // Of the mesh, by halfedge: its apex in its plane; its direction at its start; the width of
+  // Data of the mesh, by halfedge: its apex in its plane; its direction at its start; the width of
   // condition 1.
   std::vector<Point> apex;
   std::vector<double> direction, reach;
 
-  // Of one call.
+  // Data of one call.
   std::vector<double> distance, arrival;  // by vertex
   struct Angle {
     double distance{kInfinity};  // the shortest way seen straight to the apex ...

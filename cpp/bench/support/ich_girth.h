@@ -43,8 +43,8 @@ class IchGirth {
   IchGirth(const IchGirth&) = delete;
   IchGirth& operator=(const IchGirth&) = delete;
 
-  /// What Algorithm 2 returns for a vertex. Where it finds no loop: twice the distance of the
-  /// farthest vertex (the paper's farthest *point* can only lie a little beyond), `Antipodal`.
+  /// The value that Algorithm 2 returns for a vertex. Where it finds no loop: twice the distance of
+  /// the farthest vertex (the paper's farthest *point* can only lie a little beyond), `Antipodal`.
   GirthValue value(Index vertex);
 
   /// Exact distances from a vertex to all vertices, in model units; infinity in other components.

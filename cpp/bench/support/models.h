@@ -1,4 +1,4 @@
-// What the benchmarks measure on: files, shapes made here, and finer copies of either.
+// Models that the benchmarks measure on: files, shapes made here, and finer copies of either.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ Model loadModel(const std::string& path);
 /// without any files. `faces` is met to within a few per cent.
 Model bumpyTorus(Index faces);
 
-/// The same shape with exactly `faces` triangles (one more where the parity asks for it): again and
+/// A shape with exactly `faces` triangles (one more where the parity asks for it): again and
 /// again the longest edge is halved, its middle moved by up to 2% of the edge to any side, so that
 /// the result is not flat where it was split. The same mesh on every machine. O(n log n).
 Model refined(const Model& model, Index faces);

@@ -37,7 +37,7 @@ namespace {
 struct Placement {
   Transform world;
   const SkinPose* pose{nullptr};
-  /// Of the node; none: those of the mesh count.
+  /// The weights of the node; none: those of the mesh count.
   const std::vector<double>* weights{nullptr};
 };
 
@@ -51,8 +51,8 @@ struct Points {
   bool areSomeLost{false};
 };
 
-/// What makes the points of two primitives of one mesh the same: where positions, morph targets,
-/// joints and weights come from. Draco's points are known by buffer view and attribute.
+/// The key by which the points of two primitives of one mesh are the same: where positions, morph
+/// targets, joints and weights come from. Draco's points are known by buffer view and attribute.
 using PointsKey =
     std::tuple<GltfReference, GltfReference, std::uint32_t, std::vector<GltfReference>,
                std::vector<GltfReference>, std::vector<GltfReference>>;

@@ -39,8 +39,8 @@ std::array<double, 3> sharesIn(const SurfaceMesh& mesh, Face face, const Surface
   return shares;
 }
 
-/// Of the corners of a face, at a point in it: as it is at a corner, also beside one without a
-/// value.
+/// The value at a point of a face, linear between its corners: as it is at a corner, also beside
+/// one without a value.
 double valueAt(const Attribute& attribute, Face face, const std::array<double, 3>& shares,
                Index component) {
   double sum = 0;
@@ -119,7 +119,7 @@ double channelOf(const Attribute& colours, std::size_t vertex, Index channel) {
   return colours.isLinear && channel != kAlpha ? screenOf(value) : value;
 }
 
-/// What a field is called in PLY: without its underscore, where nothing else has that name.
+/// The name of a field in PLY: without its underscore, where nothing else has that name.
 std::string plyName(const Attribute& field, const std::vector<Attribute>& attributes) {
   constexpr std::array<std::string_view, 12> kTaken{"x",   "y",     "z",    "nx",    "ny", "nz",
                                                     "red", "green", "blue", "alpha", "s",  "t"};
@@ -140,7 +140,7 @@ AttributedPart attributedPart(const LoadedMesh& loaded, const CutModel& model, s
   for (const Halfedge h : mesh.halfedges()) result.triangles.push_back(mesh.from(h));
   if (loaded.attributes.empty()) return result;
   const std::vector<Values> corners = cornerValues(loaded, model, component);
-  // Of each vertex the values that it stands with, by their bits, which equal themselves.
+  // The numbers of vertices by the values that they stand with, as bits, which equal themselves.
   std::map<std::pair<Index, std::vector<std::uint64_t>>, Index> numbers;
   std::vector<bool> isTaken(mesh.vertexCount(), false);
   std::vector<Values> values(mesh.vertexCount());

@@ -15,8 +15,8 @@ namespace girth::io {
 struct AttributedPart {
   std::vector<Vec3> places;
   std::vector<Index> triangles;
-  /// Of the vertices: as they are at vertices of the model, linear in between; NaN where there is
-  /// none. Caps have the values of their rims.
+  /// Attributes of the vertices: as they are at vertices of the model, linear in between; NaN where
+  /// there is none. Caps have the values of their rims.
   std::vector<Attribute> attributes;
 };
 

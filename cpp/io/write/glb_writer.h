@@ -29,11 +29,11 @@ class GlbWriter {
   void addValues(const std::string& attribute, std::span<const double> values, Index width = 1);
   /// Red, green, blue and alpha a vertex, linear, 16 bits each, as the attribute COLOR_0.
   void addColours(std::span<const std::uint16_t> channels);
-  /// The same in [0, 1], as floats.
+  /// Colours in [0, 1], as floats.
   void addColours(std::span<const double> channels);
   /// Three vertices a triangle.
   void addTriangles(const SurfaceMesh& mesh);
-  /// The same of triangles that are no mesh.
+  /// Three vertices a triangle, of triangles that are no mesh.
   void addTriangles(std::span<const Index> triangles);
 
   /// Ends a mesh. `mode`: TINYGLTF_MODE_... `extras`: of the mesh, one object of JSON. `name`: of

@@ -148,7 +148,7 @@ namespace {
 /// together.
 template <class NumberOf>
 std::vector<Index> partOfNumbers(const CutModel& model, Index count, NumberOf numberOf) {
-  // Of each number: the most area that a part has of it, and that part.
+  // The most area that a part has of each number, and that part.
   std::vector<std::pair<double, Index>> most(count, {0, kNoIndex});
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     std::vector<std::pair<Index, double>> areas;

@@ -49,7 +49,7 @@ std::string valueText(const VertexField& field, Vertex vertex) {
   return std::string(field.words[static_cast<std::size_t>(value)]);
 }
 
-/// What codes mean: "0 body, 1 tube".
+/// The meaning of codes: "0 body, 1 tube".
 std::string meaningOfCodes(std::span<const std::string_view> words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {

@@ -39,7 +39,7 @@ Array<Value> arrayOf(std::vector<Value> values, std::vector<pybind11::ssize_t> s
   return Array<Value>(std::move(shape), data, capsule);
 }
 
-/// The same in a row.
+/// An array of one dimension that takes over a vector's memory.
 template <class Value>
 Array<Value> arrayOf(std::vector<Value> values) {
   const auto size = static_cast<pybind11::ssize_t>(values.size());

@@ -10,8 +10,8 @@
 
 namespace girth::python {
 
-/// Of each point its kind (as SurfacePoint::Kind) and the number of its element, shape (k, 2); and
-/// its weights, shape (k, 3).
+/// Points as two arrays: their kinds (as SurfacePoint::Kind) and the numbers of their elements,
+/// shape (k, 2); and their weights, shape (k, 3).
 using CurveArrays = std::pair<Array<std::int64_t>, Array<double>>;
 
 inline CurveArrays curveOf(std::span<const SurfacePoint> points) {

@@ -22,7 +22,7 @@ constexpr milliseconds kTick{20};
 /// computations (of spectra) stop later.
 constexpr milliseconds kPatience{100};
 
-/// What the working and the waiting thread share.
+/// The state that the working and the waiting thread share.
 struct Job {
   std::function<void(const ExecutionContext&)> work;
   std::atomic<bool> cancel{false};
@@ -50,7 +50,7 @@ void work(Job& job, unsigned threads) {
   } catch (...) {
     failure = std::current_exception();
   }
-  // What the work owns goes with its own thread, before it counts as done.
+  // Objects that the work owns go with its own thread, before it counts as done.
   job.work = {};
   const std::lock_guard lock(job.mutex);
   job.failure = failure;

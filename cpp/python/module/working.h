@@ -13,7 +13,7 @@
 
 namespace girth::python {
 
-/// What every long call takes.
+/// The options that every long call takes.
 struct Running {
   /// As in ExecutionContext.
   unsigned threads{0};
@@ -29,7 +29,7 @@ struct Running {
 /// for lack of memory, as a ThrownError.
 void runWork(const Running& running, std::function<void(const ExecutionContext& context)> work);
 
-/// The same of work with a result. Throws the error, where there is one, as a ThrownError.
+/// Runs work that has a result. Throws the error, where there is one, as a ThrownError.
 template <class Value>
 Value compute(const Running& running,
               std::function<Result<Value>(const ExecutionContext& context)> work) {

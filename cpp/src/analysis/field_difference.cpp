@@ -10,7 +10,7 @@ namespace girth {
 
 namespace {
 
-/// Of the values over the root of the surface's area.
+/// The distribution of the values over the root of the surface's area.
 Distribution scaledDistribution(const SurfaceMesh& mesh, std::span<const double> values) {
   const double scale = std::sqrt(mesh.area());
   std::vector<double> scaled(values.begin(), values.end());

@@ -476,8 +476,8 @@ class LimbMaker {
     return std::nullopt;
   }
 
-  /// What the ring at the base cuts off, and how thick the limb is all along. Loops in the tip
-  /// itself, up to `tipLength`, have slipped off it.
+  /// Measures the part that the ring at the base cuts off, and how thick the limb is all along.
+  /// Loops in the tip itself, up to `tipLength`, have slipped off it.
   std::optional<Error> measure(double tipLength, Limb& limb) {
     for (const Vertex v : mesh_.vertices()) {
       if (!std::isfinite(distances_[v])) continue;

@@ -18,8 +18,8 @@ namespace girth {
 
 namespace {
 
-/// What share of the variance must lie between two sides that really differ; values that are spread
-/// evenly reach 3/4.
+/// The share of the variance that must lie between two sides that really differ; values that are
+/// spread evenly reach 3/4.
 constexpr double kClearDivision = 0.8;
 constexpr int kMostSweeps = 50;
 

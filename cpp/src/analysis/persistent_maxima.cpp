@@ -48,7 +48,7 @@ Result<std::vector<PersistentMaximum>> persistentMaxima(const SurfaceMesh& mesh,
       maxima.push_back({Vertex(lower), values[lower], values[lower] - values[v], Vertex(v)});
     });
   }
-  // What nothing higher was met by: the highest of each component, down to its lowest.
+  // Maxima that met none higher: the highest of each component, down to its lowest value.
   std::vector<double> least(n);
   for (const Index v : order) least[regionOf(v)] = values[v];
   for (const Index v : order) {

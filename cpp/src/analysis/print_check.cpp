@@ -71,7 +71,7 @@ class Groups {
   std::vector<std::size_t> parents_;
 };
 
-/// What stands in a scale's way: everything of a measure below the limit.
+/// The scale from which a measure reaches the limit.
 double scaleThatPasses(double limit, double measure) { return limit / measure; }
 
 SurfacePoint pointIn(const SurfaceMesh& mesh, Face face, const Vec3& p) {
@@ -91,7 +91,7 @@ struct SideCheck {
   std::vector<double> values;
   /// The least of each face below `limit`; infinite elsewhere.
   std::vector<TouchingBall> balls;
-  /// Of all, above the limit too.
+  /// The least measure of all, above the limit too.
   double least{kNoMeasure};
 
   SideCheck(const SurfaceMesh& checked, const ThicknessOptions& options, WeakKind what,
@@ -421,7 +421,7 @@ Result<PrintCheck> checkPrint(const SurfaceMesh& mesh, const PrintFields& fields
   double area = 0;
   for (const WeakPlace& place : check.places) area += place.area;
   check.failingShare = std::min(1.0, area / mesh.area());
-  // What is below a limit by rounding alone passes as it is.
+  // Measures below a limit by rounding alone pass as they are.
   if (check.places.empty()) check.passingScale = std::min(1.0, check.passingScale);
   const auto share = [&](const WeakPlace& place) {
     return place.least / limitFor(place.kind, limits);

@@ -24,7 +24,7 @@ namespace {
 /// those of a girth: they jump at nearly every edge.
 constexpr std::size_t kMostWork = 100'000'000;
 
-/// What is left of the surface without the edges that the contour crosses.
+/// The pieces of the surface without the edges that the contour crosses.
 class Pieces {
  public:
   Pieces(const SurfaceMesh& mesh, std::span<const double> girth)
@@ -217,7 +217,7 @@ class TipMaker {
     for (const Vertex v : vertices) inside_[v] = false;
   }
 
-  /// The same halfedge for both of an edge: as in Pieces::edges.
+  /// One halfedge for both of an edge: as in Pieces::edges.
   Halfedge edgeOf(Halfedge halfedge) const { return std::min(halfedge, mesh_.twin(halfedge)); }
 
   /// The vertex farthest from the contour. Ways along edges inside bound how far that can be, and

@@ -1,4 +1,4 @@
-// What a disk that grows from a vertex has not reached yet: how this rest falls apart.
+// The rest that a disk growing from a vertex has not reached yet, and how it falls apart.
 #pragma once
 
 #include <span>

@@ -14,7 +14,7 @@ namespace girth {
 namespace {
 
 constexpr double kOutOfReach = std::numeric_limits<double>::infinity();
-/// Of the angle by which normals differ across a crease: 30°.
+/// The cosine of the angle by which normals differ across a crease: 30°.
 constexpr double kCosCrease = 0.86602540378443865;
 /// Up to this cosine the two faces at an edge are flat.
 constexpr double kCosFlat = 1 - 1e-9;
@@ -177,7 +177,8 @@ bool FacingSurface::recedes(Halfedge halfedge, const Vec3& direction) const {
   return true;
 }
 
-/// The same for a vertex that sticks into the body.
+/// Whether no edge at a vertex that sticks into the body leads against a ball that comes along
+/// `inward`.
 bool FacingSurface::vertexFaces(Vertex vertex, const Vec3& inward) const {
   bool all = true;
   forEachNeighbour(mesh_, vertex, [&](Index neighbour) {
@@ -350,7 +351,7 @@ TouchingBall FacingSurface::straightFrom(Vertex vertex) const {
   return best;
 }
 
-/// The same between an edge that sticks into the body and others.
+/// Tries balls between an edge that sticks into the body and others.
 void FacingSurface::straightBetween(Halfedge edge, TouchingBall& best) const {
   const Vec3 p = mesh_.position(mesh_.from(edge)), u = mesh_.position(mesh_.to(edge)) - p;
   const Vec3 low = lower(p, p + u), high = upper(p, p + u);

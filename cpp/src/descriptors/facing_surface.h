@@ -1,4 +1,5 @@
-// What faces a point of a surface through the body, or through the space around it, and how near.
+// The surface that faces a point through the body, or through the space around it, and how near it
+// is.
 #pragma once
 
 #include <cstdint>
@@ -66,7 +67,7 @@ class FacingSurface {
   double side_;      // 1 inside, −1 outside
   double cosSharp_;  // of the angle below which faces face each other
   std::vector<Vec3> normals_;
-  // Of each face: edges and corners that stick into the body (or out of it) sharply.
+  // Edges and corners of each face that stick into the body (or out of it) sharply.
   std::vector<std::uint8_t> spikes_;
   std::vector<bool> isBody_;   // components: closed, round a volume of their own
   std::vector<bool> atSpike_;  // vertices: corners of such an edge, or such a corner

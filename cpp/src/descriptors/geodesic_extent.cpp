@@ -31,7 +31,7 @@ struct Sum {
   }
 };
 
-/// What the vertices of a surface have in common.
+/// Data that the vertices of a surface have in common.
 struct Distances {
   const SurfaceMesh& mesh;
   std::vector<double> areas;

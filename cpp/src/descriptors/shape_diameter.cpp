@@ -100,7 +100,7 @@ double robustMean(std::vector<Length>& lengths) {
   return weight > 0 ? sum / weight : median;
 }
 
-/// What the vertices of a surface have in common.
+/// Data that the vertices of a surface have in common.
 struct Cones {
   const SurfaceMesh& mesh;
   TriangleTree tree;

@@ -25,7 +25,7 @@ struct TouchingBall {
 struct Target {
   std::array<Vec3, 3> corners;
   std::size_t count{3};  ///< of its corners
-  /// Of a triangle: the unit normal away from where balls come from.
+  /// The unit normal of a triangle, away from where balls come from.
   Vec3 normal;
 };
 

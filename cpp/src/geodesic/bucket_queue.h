@@ -74,7 +74,7 @@ class BucketQueue {
     return ring_[current_ % kRing][position_++];
   }
 
-  /// What comes out after so many others, within the current bucket; `none` beyond it.
+  /// The element that comes out after so many others, within the current bucket; `none` beyond it.
   Index ahead(std::size_t others, Index none) const {
     const auto& bucket = ring_[current_ % kRing];
     const std::size_t position = position_ + others;

@@ -21,7 +21,7 @@ std::optional<Goal> corridor(Propagation& propagation, const SurfacePoint& from,
   propagation.run(std::span(&to, 1), Keep::Nothing, stop, &back);
   if (stop.cancelled() || propagation.gaveUp()) return std::nullopt;
 
-  // What that left out is too far from there for a way between the two.
+  // Vertices that this search left out are too far from there for a way between the two.
   std::vector<double> least(unfolding.vertexCount());
   for (Index v = 0; v < least.size(); ++v) {
     least[v] = std::max(straight.leastFrom(v), std::min(propagation.distance(v), back.mostTo(v)));

@@ -10,7 +10,8 @@
 
 namespace girth::geodesic {
 
-/// What cannot reach a point in time. All lengths are in `unfolding.unit()`.
+/// A bound on lengths, which tells the windows that cannot reach a point in time. All lengths are
+/// in `unfolding.unit()`.
 class Goal {
  public:
   /// The straight way through space is no longer than any way over the surface. `limit`: the
@@ -37,7 +38,7 @@ class Goal {
     const Vec3& at = unfolding_->mesh().position(Vertex(unfolding_->vertexInMesh(vertex)));
     return perUnit_ * norm(place_ - at);
   }
-  /// What a path to a vertex may be long at most.
+  /// The greatest length that a path to a vertex may have.
   double mostTo(Index vertex) const { return std::max(0.0, limit_ - leastFrom(vertex)); }
 
  private:

@@ -7,8 +7,8 @@
 
 namespace girth::geodesic {
 
-/// The same point in the numbers of the unfolding: an edge point where it lies on a side of its
-/// face, a vertex where it lies at a corner, within kSnap. Errors: VERTEX_OUT_OF_RANGE,
+/// A point of the surface in the numbers of the unfolding: an edge point where it lies on a side of
+/// its face, a vertex where it lies at a corner, within kSnap. Errors: VERTEX_OUT_OF_RANGE,
 /// INVALID_POINT (no such halfedge or face; weights that are negative, not numbers, or do not add
 /// up to 1 within a millionth).
 Result<SurfacePoint> locate(const Unfolding& unfolding, const SurfacePoint& point);

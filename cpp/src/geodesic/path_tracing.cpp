@@ -51,7 +51,7 @@ Passage passageTo(const Propagation& propagation, const Bundle& bundle, Vec2 poi
   propagation.eachEntered(bundle.halfedge, [&](const Window& w) {
     if (w.sigma != bundle.sigma || w.root.x != bundle.root.x || w.root.y != bundle.root.y) return;
     const double miss = missBy(w, length, point);
-    // Of those that see it alike, the one that came first.
+    // Among windows that see it alike, the first one counts.
     if (miss <= bestMiss && std::isfinite(miss)) {
       bestMiss = miss;
       best = {bundle, w.gapFrom, length - w.gapTo};
@@ -60,8 +60,8 @@ Passage passageTo(const Propagation& propagation, const Bundle& bundle, Vec2 poi
   return best;
 }
 
-/// What continues as `bundle` through the point `crossing` of its halfedge, in the face behind; no
-/// halfedge if the bundle begins there.
+/// The passage that continues as `bundle` through the point `crossing` of its halfedge, in the face
+/// behind; no halfedge if the bundle begins there.
 Passage passageBefore(const Propagation& propagation, const Bundle& bundle, double crossing) {
   const Unfolding& unfolding = propagation.unfolding();
   const Index behind = unfolding.twin(bundle.halfedge);

@@ -17,10 +17,10 @@ namespace girth::geodesic {
 void traceBundle(const Propagation& propagation, Bundle bundle, Vec2 point,
                  std::vector<SurfacePoint>& path);
 
-/// The same for the best path to a vertex, which itself comes first.
+/// Traces the best path to a vertex, which itself comes first.
 void traceVertex(const Propagation& propagation, Index vertex, std::vector<SurfacePoint>& path);
 
-/// The same for the path that `Propagation::pathTo(halfedge, point)` found.
+/// Traces the path that `Propagation::pathTo(halfedge, point)` found.
 void tracePath(const Propagation& propagation, const PathEnd& end, Index halfedge, Vec2 point,
                std::vector<SurfacePoint>& path);
 

@@ -495,7 +495,7 @@ PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {
     eachEntered(h, [&](const Window& w) {
       if (w.distanceTo(p) > best.distance || !w.covers(c.length(), p)) return;
       const double distance = w.pathTo(c.length(), p);
-      // Of those that tie, the one that came first.
+      // Among windows that tie, the first one counts.
       if (distance < best.distance || (distance == best.distance && best.bundle.halfedge == h)) {
         best = {distance, {h, w.root, w.sigma}, kNoIndex, kNoIndex};
       }
@@ -542,7 +542,7 @@ double Propagation::farthestBehind(const Crossing& c) const {
 
 /// Forgets the windows of faces that the front has passed.
 void Propagation::forgetPassed() {
-  // What is nearer than some vertex whose distance is final cannot be the farthest point either.
+  // Points nearer than some vertex whose distance is final cannot be the farthest point either.
   double known = 0;
   std::size_t kept = 0;
   for (const Index v : open_) {

@@ -1,6 +1,6 @@
 // Exact geodesic distances from points of a surface, growing outward: the engine under everything.
 //
-// What a window is. A bundle of straight paths that cross one sequence of faces (window.h). Windows
+// A window is a bundle of straight paths that cross one sequence of faces (window.h). Windows
 // are pending at the halfedge through which they enter a face. When the queue gives the halfedge
 // out, all that are pending there cross the face at once (crossing_kernel.h), and what leaves
 // through the other two sides is pending at their twins. A path that bends does so at a saddle, or
@@ -180,7 +180,7 @@ class Propagation {
   }
   /// Appends them by number; `windows` holds the first `known` already.
   void entered(Index halfedge, std::vector<Window>& windows, std::size_t known = 0) const;
-  /// Those of them that reached the opposite corner lie among numbers `first` to `second` − 1.
+  /// The numbers among which windows lie that reached the opposite corner: `first` to `second` − 1.
   std::pair<std::uint32_t, std::uint32_t> apexWindows(Index halfedge) const {
     const WindowList& list = lists_[halfedge];
     return gone(list) ? std::pair{0u, 0u} : std::pair{list.apexBegin, list.apexEnd};
@@ -326,7 +326,7 @@ class Propagation {
   /// Whether the windows of a halfedge have been forgotten: the front has passed its face.
   bool gone(const WindowList& list) const { return list.farthest < passed_; }
 
-  /// What is read of vertices most often, small enough for the cache.
+  /// The members of vertices that are read most often, small enough for the cache.
   struct Reach {
     bool settled{false};
     std::uint8_t windows{0};  // how many have reached it, nearest or not; counted up to kMany

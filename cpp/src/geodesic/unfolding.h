@@ -24,8 +24,8 @@
 
 namespace girth::geodesic {
 
-/// What a halfedge adds to its face, laid flat. The three of a face lie side by side: 96 bytes, so
-/// that the part of the surface which a front goes over stays in the cache.
+/// The numbers that a halfedge adds to its face, laid flat. The three of a face lie side by side:
+/// 96 bytes, so that the part of the surface which a front goes over stays in the cache.
 struct alignas(32) FlatHalfedge {
   double length;  ///< the same from either side of the edge
   Vec2 left;      ///< unit vector from its start to the vertex opposite
@@ -41,7 +41,7 @@ class Crossing {
         next_(halfedges + nextSide(halfedge)),
         previous_(halfedges + previousSide(halfedge)) {}
 
-  /// Of the halfedge, and of the sides from `from` and from `to` up to the apex.
+  /// Lengths of the halfedge, and of the sides from `from` and from `to` up to the apex.
   double length() const { return side_->length; }
   double leftLength() const { return previous_->length; }
   double rightLength() const { return next_->length; }
@@ -79,7 +79,7 @@ class Unfolding {
   /// The frames measure in `unit()` model units, a power of two near the mean edge length.
   double unit() const { return unit_; }
   double meanEdgeLength() const { return meanEdgeLength_; }
-  /// Of the component of a vertex alone.
+  /// The mean edge length of a vertex's component alone.
   double meanEdgeLengthAround(Index vertex) const {
     return componentEdge_[mesh_->componentOf(Vertex(meshVertex_[vertex]))];
   }

@@ -101,7 +101,7 @@ class WindowPool {
   std::size_t memoryBytes() const;
 
  private:
-  /// What vector loads and stores may touch behind the last window.
+  /// Windows behind the last one that vector loads and stores may touch.
   static constexpr std::uint32_t kSpare = WindowRun::kMostLanes - 1;
   /// The fields of a run are moved together where that is soon done, with so few windows, or where
   /// it has room for so many too much.

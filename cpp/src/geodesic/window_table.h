@@ -23,7 +23,7 @@ class WindowTable {
   /// The list of a halfedge: an empty one where no window has come; where the front has passed, one
   /// that is nearer than everything. Valid until the next call of `open`.
   const WindowList& operator[](Index halfedge) const { return lists_[slot_[halfedge]]; }
-  /// The same, of a halfedge that has been opened.
+  /// The list of a halfedge that has been opened.
   WindowList& opened(Index halfedge) { return lists_[slot_[halfedge]]; }
   /// The list of a halfedge to which windows come; not of one that the front has passed.
   WindowList& open(Index halfedge) {

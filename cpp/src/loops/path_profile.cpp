@@ -36,7 +36,7 @@ Error atPoint(std::size_t place, const std::string& what) {
 /// A path by how far along its points are.
 struct Measured {
   std::vector<double> distances;
-  /// Of each two neighbours, a face that both lie in.
+  /// A face in which each two neighbours lie.
   std::vector<Face> faces;
 };
 
@@ -129,7 +129,7 @@ Result<std::vector<PathStation>> girthAlong(const SurfaceMesh& mesh,
   std::stable_sort(
       stations.begin(), stations.end(),
       [](const PathStation& a, const PathStation& b) { return a.distance < b.distance; });
-  // Of several at one place the first.
+  // The first of several stations at one place stays.
   std::vector<PathStation> apart;
   for (const PathStation& station : stations) {
     if (!apart.empty() && station.distance - apart.back().distance <= kSameStation * length)

@@ -1,4 +1,4 @@
-// The same surface in fewer triangles: without the vertices at which it is flat.
+// One surface in fewer triangles: without the vertices at which it is flat.
 #pragma once
 
 #include <vector>

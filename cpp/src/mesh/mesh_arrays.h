@@ -1,4 +1,4 @@
-// What a surface is made of, to make others of it.
+// The arrays that a surface is made of, to make others of it.
 #pragma once
 
 #include <vector>

@@ -11,7 +11,8 @@
 namespace girth {
 namespace {
 
-/// Of the determinant as it is rounded, as a share of the sum of its products' sizes (Shewchuk).
+/// The error of the determinant as it is rounded, as a share of the sum of its products' sizes
+/// (Shewchuk).
 constexpr double kRounding = (7 + 56 * std::numeric_limits<double>::epsilon()) *
                              (std::numeric_limits<double>::epsilon() / 2);
 

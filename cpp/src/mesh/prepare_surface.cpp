@@ -32,7 +32,7 @@ using prepare::WorkingFaces;
 /// Components of a smaller share of the largest one's area are slivers.
 constexpr double kSliver = 1e-6;
 
-/// What a component holds inside, as its faces are added: at a scale near 1.
+/// The volume that a component holds inside, as its faces are added: at a scale near 1.
 struct Inside {
   explicit Inside(const Vec3& somewhere) : origin(somewhere) {}
 
@@ -80,7 +80,7 @@ std::optional<Error> findBadCoordinate(const TriangleSoup& soup, double scale) {
   return std::nullopt;
 }
 
-/// What can be wrong with the arrays and the options alone.
+/// The first fault of the arrays and the options alone.
 std::optional<Error> findBadElement(const TriangleSoup& soup, const PrepareOptions& options) {
   const std::size_t vertices = soup.positions.size() / 3;
   if (!(options.scale > 0) || std::isinf(options.scale)) {

@@ -17,7 +17,7 @@ namespace {
 /// areas must neither overflow nor vanish.
 constexpr double kLargest = 1e60;
 
-/// The same surface, larger or smaller by a power of two.
+/// A surface made larger or smaller by a power of two.
 Result<SurfaceMesh> scaled(const SurfaceMesh& mesh, double scale) {
   std::vector<double> positions;
   std::vector<Index> triangles;

@@ -15,7 +15,7 @@ namespace girth {
 
 namespace {
 
-/// What the solvers of several threads cost, added up when each of them ends.
+/// The costs of the solvers of several threads, added up when each of them ends.
 class Costs {
  public:
   void add(const SearchStatistics& statistics) {
@@ -63,7 +63,7 @@ class PlainSolvers {
   std::shared_ptr<const geodesic::Unfolding> unfolding_;
 };
 
-/// The same with a persistence. A class of its own, so that a program that has no use for it is
+/// Solvers with a persistence. A class of its own, so that a program that has no use for it is
 /// linked without the search for saddles that last.
 class PersistentSolvers {
  public:

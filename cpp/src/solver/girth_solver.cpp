@@ -135,14 +135,14 @@ struct GirthSolver::State {
     return std::nullopt;
   }
 
-  /// The same until a saddle is found that lasts as long as `persistence`.
+  /// Runs until a saddle is found that lasts as long as `persistence`.
   std::optional<Error> runLasting(const SurfacePoint& point, Keep keep,
                                   const ExecutionContext& context) {
     constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
     return runForSaddles(point, keep, persistence, kAll, false, context);
   }
 
-  /// The same until a saddle is found that lasts so long, or so many saddles have been.
+  /// Runs until a saddle is found that lasts so long, or so many saddles have been.
   std::optional<Error> runForSaddles(const SurfacePoint& point, Keep keep, double atLeast,
                                      std::size_t mostSaddles, bool withDeaths,
                                      const ExecutionContext& context) {
@@ -286,7 +286,7 @@ struct GirthSolver::State {
     return loopOf(search.best());
   }
 
-  /// The same where the last run has found no loop: a path to the farthest point. An error:
+  /// The loop where the last run has found none: a path to the farthest point. An error:
   /// CANCELLED.
   std::optional<Result<GirthLoop>> farthestAgain(const ExecutionContext& context) {
     const auto found = farthest(context);
@@ -343,7 +343,7 @@ struct GirthSolver::State {
     for (SurfacePoint& point : result.points) point = unfolding->toMesh(point);
   }
 
-  /// Of those that the last run has decided, the ones that die later than they are born.
+  /// Saddles that the last run has decided and that die later than they are born.
   std::vector<PersistentSearch::Saddle> lastingSaddles() const {
     const auto& saddles = persistent->saddles();
     std::vector<PersistentSearch::Saddle> lasting;

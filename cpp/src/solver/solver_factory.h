@@ -20,11 +20,11 @@ struct LoopsUpTo {
   double length{0};  ///< in model units
 };
 
-/// What parts of the library may ask of solvers.
+/// Services of solvers for other parts of the library.
 struct SolverFactory {
   /// One of the solvers of several threads: each has scratch memory of its own.
   static GirthSolver onUnfolding(std::shared_ptr<const geodesic::Unfolding> unfolding);
-  /// What a solver searches with: between two calls another search may use it.
+  /// The propagation that a solver searches with: between two calls another search may use it.
   static geodesic::Propagation& propagationOf(GirthSolver& solver);
   /// The girth of a point and its loop, of the loops and paths that stay within some faces of the
   /// unfolding: those for which `band` is not 0. Nothing where there is no loop, or the context was

@@ -16,7 +16,8 @@ namespace {
 /// How often the calling thread reports.
 constexpr auto kReportInterval = std::chrono::milliseconds(40);
 
-/// What the threads share: they take vertices from `order` one by one and mark them finished.
+/// The work that the threads share: they take vertices from `order` one by one and mark them
+/// finished.
 struct Work {
   std::vector<Vertex> order;
   std::atomic<std::size_t> taken{0};

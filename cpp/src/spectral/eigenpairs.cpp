@@ -86,7 +86,8 @@ class Basis {
   Eigen::Index size_;
 };
 
-/// What Spectra iterates with: (A − shift)^-1 in the space that is left beside a basis.
+/// The operator that Spectra iterates with: (A − shift)^-1 in the space that is left beside a
+/// basis.
 class InverseOperator {
  public:
   using Scalar = double;

@@ -11,7 +11,7 @@
 
 namespace girth::spectral {
 
-/// What is wrong with a spectrum: USAGE where its arrays do not belong together.
+/// The fault of a spectrum: USAGE where its arrays do not belong together.
 std::optional<Error> checkSpectrum(const Spectrum& spectrum);
 
 /// Σ_k weights[k · dimensions + d] φ_k(v)² for every vertex and dimension, over as many pairs as

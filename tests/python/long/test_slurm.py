@@ -137,6 +137,6 @@ def test_a_job_that_is_killed_is_queued_again_and_goes_on(slurm, tmp_path, repos
     models = collection.fields(paths, store=store, faces=0)
     assert (models.computed, models.reused) == (0, 120)
     assert np.array_equal(models.distances(), pygirth.compare(paths, ["igf"], faces=0)["igf"])
-    # What the first run had written, the second one found.
+    # The second run found the values that the first one had written.
     found = [int(part.split(" found")[0]) for part in text.split("computed, ")[1:]]
     assert len(found) == 1 and 0 < found[0] < 40

@@ -64,7 +64,7 @@ export class CameraRig {
   readonly #controls: OrbitControls;
   readonly #events: RigEvents;
   #turnsByItself = false;
-  /** What has moved the camera since `reset`. */
+  /** The cause of the camera's motion since `reset`. */
   #movedBy: 'nothing' | 'turning' | 'others' = 'others';
   #room: Room = { across: 1, up: 1 };
   /** Whether the camera was moved since it last came to rest. */
@@ -144,7 +144,7 @@ export class CameraRig {
     this.#room = { across: half * this.camera.aspect, up: (half * room) / height };
   }
 
-  /** What is free for the surface round what the camera looks at. */
+  /** The room for the surface round the point that the camera looks at. */
   get room(): Room {
     return this.#room;
   }
@@ -314,7 +314,7 @@ export class CameraRig {
     return motion;
   }
 
-  /** What is left of a motion, at once. */
+  /** Ends a motion at once, with the rest of its way. */
   #finishMotion(): void {
     const { enableDamping } = this.#controls;
     this.#controls.enableDamping = false;

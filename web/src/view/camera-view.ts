@@ -12,7 +12,7 @@ export interface CameraView {
   azimuth: number;
   /** From the camera to what it looks at, in radii of the surface. */
   distance: number;
-  /** What it looks at, from the middle of the surface, in radii of the surface. */
+  /** The point that it looks at, from the middle of the surface, in radii of the surface. */
   target: [number, number, number];
 }
 

@@ -6,7 +6,7 @@ import { colormapChannels } from './colormap-tables.js';
 /** Entries of a colour table. */
 export const colormapSize = 256;
 
-/** What stands for no step. */
+/** The letter that stands for no step. */
 const level = 'm'.charCodeAt(0);
 
 const tables = new Map<ColormapName, Uint8Array>();

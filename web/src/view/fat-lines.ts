@@ -42,7 +42,7 @@ export interface Stroke {
   once?: number;
 }
 
-/** What a line is drawn with; the caller disposes of it. */
+/** The material that a line is drawn with; the caller disposes of it. */
 export function strokeMaterial(stroke: Stroke): LineMaterial {
   const { colour, width, opacity, hidden, dashed, once } = stroke;
   const material = new LineMaterial({

@@ -7,7 +7,7 @@ import { unitOf } from '../kernel/types/units.js';
 /** Fields of numbers that the kernel computes, the default first. */
 export const fieldNames = Object.keys(fieldTitles) as readonly FieldName[];
 
-/** What is made of fields: the girth's kinds and states, the rise at the tip that a place is in, tubes and plates. */
+/** Names of what is made of fields: the girth's kinds and states, the rise at the tip that a place is in, tubes and plates. */
 export const derivedNames = ['kind', 'state', 'tips', 'parts'] as const;
 
 /** Values that only the model's file has: their attribute's name, in small letters. */
@@ -19,16 +19,16 @@ export type ValuesName = FieldName | GivenName;
 /** Two of them in one: the first less the second, or divided by it. */
 export type CombinedName = `${ValuesName}${'-' | '/'}${ValuesName}`;
 
-/** What can colour a surface. */
+/** A name of something that can colour a surface. */
 export type ShownName = ValuesName | (typeof derivedNames)[number] | CombinedName | 'none';
 
-/** What a combined name stands for. */
+/** The meaning of a combined name. */
 export interface Combination {
-  /** What something is taken off, or what is divided. */
+  /** The minuend, or the dividend. */
   first: ValuesName;
-  /** What the second is to the first. */
+  /** How the second is taken with the first. */
   by: 'difference' | 'ratio';
-  /** What is taken off, or what divides. */
+  /** The subtrahend, or the divisor. */
   second: ValuesName;
 }
 
@@ -54,12 +54,12 @@ export function isGivenName(name: string): name is GivenName {
 /** Whether a name is of numbers at every vertex. */
 const isValuesName = (name: string): name is ValuesName => isFieldName(name) || isGivenName(name);
 
-/** What 'igf-sdf' or 'igf/sdf' stands for; undefined for all that is no difference of like quantities and no ratio. */
+/** The combination that 'igf-sdf' or 'igf/sdf' stands for; undefined for all that is no difference of like quantities and no ratio. */
 export function combinationOf(name: string): Combination | undefined {
   const [, first = '', sign, second = ''] = /^(\w+)([-/])(\w+)$/.exec(name) ?? [];
   if (!isValuesName(first) || !isValuesName(second) || first === second) return undefined;
   if (sign === '/') return { first, by: 'ratio', second };
-  // What a file's values are is known when it is read.
+  // The unit of a file's values is known when it is read.
   const isKnown = isFieldName(first) && isFieldName(second);
   const isLike = !isKnown || fieldUnit(first, 'm') === fieldUnit(second, 'm');
   return isLike ? { first, by: 'difference', second } : undefined;

@@ -30,7 +30,7 @@ export function fittedView(points: Points, { polar, azimuth }: Direction, room: 
   const right = new Vector3(Math.cos(azimuth), 0, -Math.sin(azimuth));
   const up = towards.clone().cross(right);
   const [across, upwards] = [filled.across * room.across, filled.up * room.up];
-  // Of the four sides: right, left, top, bottom.
+  // The most on each of the four sides: right, left, top, bottom.
   const most = [-Infinity, -Infinity, -Infinity, -Infinity];
   points((x, y, z) => {
     const near = x * towards.x + y * towards.y + z * towards.z;

@@ -12,7 +12,7 @@ const longestStep = 0.1;
 /** How a motion goes on: not at all, with a last step that is to be drawn, or with more to come. */
 export type Motion = 'none' | 'last' | 'more';
 
-/** What is done in a frame. */
+/** The steps of a frame. */
 export interface FrameWork {
   /** First in each frame. Returns true to ask for another one. */
   begin(now: number): boolean;
@@ -66,7 +66,7 @@ class PageFrames {
     this.#next = new Set();
     this.#turns.clear();
     try {
-      // Those that are added meanwhile come last.
+      // Schedulers that are added meanwhile come last.
       for (const scheduler of this.#due) {
         this.#due.delete(scheduler);
         this.#turns.set(scheduler, (this.#turns.get(scheduler) ?? 0) + 1);
@@ -86,7 +86,7 @@ export class FrameScheduler {
   readonly #work: FrameWork;
   /** Whether a frame begins: what changes now is drawn in it. */
   #isBeginning = false;
-  /** What the last step of a frame has returned, until the frame is drawn. */
+  /** The motion that the last step of a frame has returned, until the frame is drawn. */
   #motion: Motion = 'none';
   /** Whether another frame was asked for by what began this one. */
   #isAgain = false;
@@ -139,7 +139,7 @@ export class FrameScheduler {
 
   /** For the page's frames: goes on with what moves; again in the same frame where another one has moved it. */
   advance(now: number): void {
-    // What `begin` changes is drawn in this frame; only what it returns asks for another.
+    // Changes by `begin` are drawn in this frame; only its result asks for another.
     this.#isBeginning = true;
     try {
       this.#isAgain = this.#work.begin(now);

@@ -16,7 +16,7 @@ import type { Rotation } from './up-axis.js';
 const cells = 96;
 
 /**
- * Of a surface that stands upright: faces splatted straight down onto a square grid, fainter the higher they are, and blurred.
+ * The shadow of a surface that stands upright: faces splatted straight down onto a square grid, fainter the higher they are, and blurred.
  * `cells` by `cells` bytes, row by row along x, rows along z.
  */
 export function* splatShadow(

@@ -1,4 +1,4 @@
-// What the element uses to show fields and loops.
+// Exports that the element uses to show fields and loops.
 
 export { type Adjacency, buildAdjacency } from './adjacency.js';
 export { type Category, girthKinds, girthStates, partKinds } from './categories.js';

@@ -6,7 +6,7 @@ import { colormapStops, colourAt } from './colormaps.js';
 import { type LengthFormat, formatNumber, placeIn, roundTicks } from './numbers.js';
 import { logTicks } from './plots/density.js';
 
-/** Of a field of numbers. */
+/** The legend of a field of numbers. */
 export interface ScaleContent {
   title: string;
   colormap: ColormapName;
@@ -21,11 +21,11 @@ export interface ScaleContent {
   isolines: number;
   /** A further remark, for example what grey means; '' for none. */
   note: string;
-  /** What lies beyond the ends where they were chosen to follow the body of the values. */
+  /** A remark on values beyond the ends, where these were chosen to follow the body of the values. */
   beyond: string | undefined;
 }
 
-/** Of a field of categories. */
+/** The legend of a field of categories. */
 export interface KeyContent {
   title: string;
   categories: readonly Category[];

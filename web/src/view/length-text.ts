@@ -64,7 +64,7 @@ export function readLength(text: string, unit: string): ReadLength {
   return { length: (number * from.metres) / to.metres };
 }
 
-/** The same, or a share of `whole`, a length in that unit: '2%' is 0.02 times as long. */
+/** Reads a length, or a share of `whole`, a length in that unit: '2%' is 0.02 times as long. */
 export function readLengthOrShare(text: string, unit: string, whole: number): ReadLength {
   const [, digits] = /^ *(.*?) *% *$/s.exec(withPlainSpaces(text)) ?? [];
   if (digits === undefined) return readLength(text, unit);

@@ -34,7 +34,7 @@ export class LoopBand implements Overlay {
 
   constructor(loop: Pick<Loop, 'kind' | 'polyline' | 'midpoint'>, style: BandStyle) {
     const antipodal = loop.kind === 'antipodal';
-    // Of a loop that was not found there is only the base.
+    // A loop that was not found has only its base.
     const known = loop.polyline.length > 0;
     this.#line = new LineGeometry();
     if (known) this.#line.setPositions(loop.polyline);

@@ -1,6 +1,6 @@
 // The outline of a surface as lines on the canvas, with what it hides left out: for drawings on paper.
 
-/** What is drawn, and how it is seen. */
+/** The surface to be drawn, and how it is seen. */
 export interface OutlineScene {
   /** x, y, z of each vertex, and three vertices for each face. */
   positions: ArrayLike<number>;
@@ -80,14 +80,14 @@ export function outlineOf(scene: OutlineScene): Outline {
       else if (cosine < sharp && isFront[f] === 1) add(creases, from, next);
     }
   }
-  // What has found no second face is the boundary.
+  // Edges that have found no second face are the boundary.
   for (const key of faceAt.keys()) {
     add(contours, Math.floor(key / vertexCount), key % vertexCount);
   }
   return { contours: joined(contours), creases: joined(creases) };
 }
 
-/** What is seen of a line on the surface, given by x, y, z of its points, and what is not. */
+/** The pieces of a line on the surface, given by x, y, z of its points, that are seen, and the others. */
 export function seenPieces(
   { place, hides }: OutlineScene,
   line: ArrayLike<number>,
@@ -145,7 +145,7 @@ function joined(strokes: readonly Stroke[]): Stroke[] {
         const isForward = endsOf(next)[0] === endsOf(line)[1];
         line.push(...(isForward ? next : reversed(next)).slice(2));
       }
-      // The same at its other end.
+      // The line goes on at its other end.
       line = reversed(line);
     }
     lines.push(line);

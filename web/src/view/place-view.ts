@@ -5,7 +5,7 @@ import { bestDirection } from './camera-flight.js';
 import { type CameraView, anglesOf, wholeDistance } from './camera-view.js';
 import type { SurfaceSpace } from './surface-space.js';
 
-/** Of a small place so much is seen round it, in radii of the surface. */
+/** The least reach that is seen round a small place, in radii of the surface. */
 const leastReach = 0.28;
 /** So many of a place's points are tested for being hidden. */
 const sightings = 14;
@@ -17,7 +17,7 @@ export interface Place {
   outwards?: Vector3 | undefined;
 }
 
-/** What can hide a point from an eye, both in the surface's coordinates. */
+/** A surface that can hide a point from an eye, both in the surface's coordinates. */
 export interface Hiding {
   hides(point: Vector3, eye: Vector3): boolean;
 }

@@ -15,7 +15,7 @@ export interface Drawer {
   graphics: Graphics;
 }
 
-/** Who draws. */
+/** A stage that borrows a renderer. */
 export interface Borrower {
   /** Whether nothing of it can be seen: it gives back first. */
   readonly isResting: boolean;
@@ -95,7 +95,7 @@ export class RendererPool {
   }
 }
 
-/** Those of the page. */
+/** The renderers of the page. */
 export const renderers = new RendererPool((changed) => {
   const canvas = document.createElement('canvas');
   Object.assign(canvas.style, { display: 'block', inlineSize: '100%', blockSize: '100%' });

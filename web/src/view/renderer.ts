@@ -1,4 +1,4 @@
-// What draws on the canvas: WebGL 2, or nothing where the browser has none. All else works without a picture.
+// The renderer that draws on the canvas: WebGL 2, or nothing where the browser has none. All else works without a picture.
 
 import { WebGLRenderer } from 'three';
 

@@ -5,7 +5,7 @@ const mostFaces = 150_000;
 /** So many corners, spread evenly over the numbers of all. */
 const enoughCorners = 60_000;
 
-/** What is cast on the canvas: a mesh, and the matrix that brings its points into clip space, by columns. */
+/** A shape that is cast on the canvas: a mesh, and the matrix that brings its points into clip space, by columns. */
 export interface CastMesh {
   positions: Float32Array;
   indices: Uint32Array;
@@ -25,7 +25,7 @@ export class Silhouette {
   readonly cell: number;
   readonly columns: number;
   readonly rows: number;
-  /** Of each cell, row by row: 1 where something is. */
+  /** A number for each cell, row by row: 1 where something is. */
   readonly #touched: Uint8Array;
   /** How many cells are touched above and to the left of each corner of the grid. */
   #sums: Uint32Array | undefined;
@@ -48,7 +48,7 @@ export class Silhouette {
       const at = 3 * step * v;
       const [x, y, z] = [positions[at]!, positions[at + 1]!, positions[at + 2]!];
       const w = m[3]! * x + m[7]! * y + m[11]! * z + m[15]!;
-      // What is behind the eye is nowhere.
+      // Points behind the eye are nowhere.
       const across = w > 0 ? (m[0]! * x + m[4]! * y + m[8]! * z + m[12]!) / w : NaN;
       const up = w > 0 ? (m[1]! * x + m[5]! * y + m[9]! * z + m[13]!) / w : NaN;
       places[2 * v] = ((0.5 + 0.5 * across) * width) / this.cell;

@@ -455,7 +455,7 @@ export class Stage implements Borrower {
     this.#keepPicture(this.#drawer.canvas);
     this.#seatRoot.replaceChildren();
     this.#drawer = undefined;
-    // What is drawn from comes back to the graphics memory with the next frame.
+    // Geometries come back to the graphics memory with the next frame that draws them.
     this.#scene.traverse((object) => {
       if ('geometry' in object) (object.geometry as BufferGeometry).dispose();
     });
@@ -468,7 +468,7 @@ export class Stage implements Borrower {
     this.#events.graphicsChanged();
   }
 
-  /** What draws; borrowed now unless it is here. */
+  /** The renderer; borrowed now unless it is here. */
   #held(): Renderer {
     const drawer = renderers.lend(this);
     if (drawer !== this.#drawer) {
@@ -493,7 +493,7 @@ export class Stage implements Borrower {
     if (drawn) canvas.getContext('2d')!.drawImage(drawn, 0, 0);
   }
 
-  /** What is to be seen as a whole, in the scene's coordinates. */
+  /** The points that are to be seen as a whole, in the scene's coordinates. */
   get #points(): Points | undefined {
     const own = this.points;
     if (!own) return undefined;

@@ -6,7 +6,7 @@
 
 import { colormapSize } from './colormaps.js';
 
-/** What colours the surface: the values of the shader's SHADING, but for a plain surface. */
+/** Ways to colour the surface: the values of the shader's SHADING, but for a plain surface. */
 export const shadingModes = { scalar: 1, categories: 2, thresholds: 3 } as const;
 export type ShadingMode = keyof typeof shadingModes | 'plain';
 

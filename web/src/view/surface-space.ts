@@ -7,7 +7,7 @@ import type { Rotation } from './up-axis.js';
 
 /** The surface's own coordinates within the scene's. */
 export class SurfaceSpace {
-  /** What is added here is in the surface's coordinates. */
+  /** A group whose members are in the surface's coordinates. */
   readonly group = new Group();
   readonly #back = new Quaternion();
 

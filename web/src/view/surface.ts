@@ -53,10 +53,10 @@ export const computedWeight = 1;
 export const borrowedWeight = 0.88;
 
 export class Surface {
-  /** What to add to a scene. */
+  /** The object to add to a scene. */
   readonly object = new Group();
   readonly bounds: Sphere;
-  /** What lies in front of it is not picked, and hides nothing. */
+  /** A plane: parts in front of it are not picked, and hide nothing. */
   section: SectionPlane | undefined;
 
   readonly #drawn: BufferGeometry;
@@ -206,7 +206,7 @@ export class Surface {
     this.#material.uniforms['pixelRatio']!.value = ratio;
   }
 
-  /** What the surface is coloured by, of what was set before. */
+  /** Chooses the colouring among those that were set before. */
   shadeBy(mode: ShadingMode): void {
     this.#material.uniforms['coloured']!.value = mode === 'plain' ? 0 : 1;
     this.#define('SHADING', shadingModes[mode === 'plain' ? 'scalar' : mode]);

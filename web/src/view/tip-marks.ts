@@ -7,13 +7,13 @@ import type { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import type { ContourLine } from '../kernel/types/types.js';
 import { type Dot, type Dots, type Overlay, makeDots, strokeMaterial } from './fat-lines.js';
 
-/** What is drawn; places are x, y, z. */
+/** The marks to be drawn; places are x, y, z. */
 export interface TipMarksContent {
-  /** What cuts off a tip. */
+  /** Lines that cut off a tip. */
   contours: readonly ContourLine[];
-  /** The same of the selected tip. */
+  /** Lines that cut off the selected tip. */
   selected: readonly ContourLine[];
-  /** What cuts no tip off: drawn dashed. */
+  /** Lines that cut no tip off: drawn dashed. */
   arcs: readonly ContourLine[];
   apexes: readonly ArrayLike<number>[];
   selectedApex: ArrayLike<number> | undefined;

@@ -12,7 +12,7 @@ export type UpName = (typeof upNames)[number];
 
 /** Which way is up, and how that is known. */
 export interface UpAxis {
-  /** Of length 1, in the file's coordinates. */
+  /** The direction, of length 1, in the file's coordinates. */
   direction: readonly [number, number, number];
   /** Undefined for a direction that is none of the axes. */
   name: UpName | undefined;
@@ -73,7 +73,7 @@ export function rotationUp([x, y, z]: readonly [number, number, number]): Rotati
 
 /** More vertices than these show no more of the shape. */
 const enough = 60_000;
-/** What is so near to the ground, as a share of the size, stands on it. */
+/** Points so near to the ground, as a share of the size, stand on it. */
 const footing = 0.03;
 /** A rod is so much longer than thick, in standard deviations, and its axis so far from all others. */
 const rodLength = 3.5;

@@ -106,10 +106,10 @@ std::optional<GltfInstancing> instancingOf(const tinygltf::Node& node);
 /// KHR_node_visibility: whether neither the node nor what is below it is shown.
 bool isHidden(const tinygltf::Node& node);
 
-/// What of a document matters for the surface. Types are right and values are in their ranges, but
-/// no number has been checked against another.
+/// The content of a document that matters for the surface. Types are right and values are in their
+/// ranges, but no number has been checked against another.
 struct GltfDocument {
-  /// Of the buffers, only the GLB's binary chunk has its bytes yet.
+  /// The whole model; only the buffer of the GLB's binary chunk has its bytes yet.
   tinygltf::Model model;
   std::vector<GltfBufferSource> sources;
   /// By mesh and primitive.

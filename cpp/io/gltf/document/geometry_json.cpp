@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 // No document needs more; a recursive parser survives this.
 constexpr std::size_t kDeepest = 64;
 
-// What a double holds exactly, and far more than any file.
+// The greatest number that a double holds exactly, and far more than any file.
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 53;
 
 // More influences a vertex than any exporter writes.
@@ -52,7 +52,7 @@ bool isUnderstood(std::string_view extension) {
   return false;
 }
 
-/// What a member may be.
+/// The demand on a member.
 enum class Kind : std::uint8_t {
   Present,          // anything, but it must be there
   Reference,        // the number of another element, or a small count

@@ -33,7 +33,7 @@ struct GeometryJson {
   std::vector<GltfBufferSource> buffers;
   /// How many bytes of the binary chunk buffer 0 holds; 0 where it is not in the chunk.
   std::size_t embeddedBytes{0};
-  /// Of each material: white where it states none, or none that can be.
+  /// The base colour of each material: white where it states none, or none that can be.
   std::vector<GltfColour> baseColours;
   /// Whether the extras of some mesh state, as Girth writes them, that its unit is none that is
   /// known: then its numbers are no metres.

@@ -53,7 +53,7 @@ class JsonFields {
 
   /// A whole number of at least 0 and at most `most`; 3.0 is one, as JSON has one kind of number.
   std::optional<std::uint64_t> integer(const char* name, std::uint64_t most) const;
-  /// The same; its absence is a fault.
+  /// A whole number whose absence is a fault.
   std::uint64_t requiredInteger(const char* name, std::uint64_t most) const;
   /// The number of an element of another list: not checked whether there is one.
   std::optional<std::uint32_t> reference(const char* name) const;

@@ -1,4 +1,4 @@
-// What the glTF reader reports: what it did and what it left out.
+// Notes of the glTF reader: what it did and what it left out.
 #pragma once
 
 #include <cstddef>

@@ -93,7 +93,8 @@ class Counting {
     return all;
   }
 
-  /// What lies below is known, but where the nodes form a cycle, which is reported elsewhere.
+  /// Adds up a node when all below it is known, but where the nodes form a cycle, which is reported
+  /// elsewhere.
   void finish(std::uint32_t number) {
     const tinygltf::Node& node = model_.nodes[number];
     states_[number] = State::Done;

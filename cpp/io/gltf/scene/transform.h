@@ -38,7 +38,7 @@ struct Transform {
            0;
   }
 
-  /// Of 16 numbers, column by column.
+  /// The transform of 16 numbers, column by column.
   static Transform ofMatrix(std::span<const double, 16> columns) {
     Transform transform;
     for (std::size_t r = 0; r < 3; ++r) {

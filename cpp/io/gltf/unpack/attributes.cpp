@@ -141,7 +141,7 @@ class AttributeReader {
   PointNumbers& points_;
   const std::vector<PlacedPrimitive>& placed_;
   const std::vector<Index>& triangles_;
-  /// Of the attribute that is read: where values begin that were read before.
+  /// The places where values of the attribute begin that were read before.
   std::map<Key, Index> firsts_;
 };
 

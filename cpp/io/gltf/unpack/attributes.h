@@ -1,5 +1,5 @@
-// What a glTF scene says of its points besides where they are: colours, texture coordinates, and
-// the scalars of an application.
+// Attributes that a glTF scene gives its points besides their places: colours, texture coordinates,
+// and the scalars of an application.
 #pragma once
 
 #include <cstddef>

@@ -29,7 +29,7 @@ draco::DecoderBuffer bufferOf(std::span<const std::byte> bytes) {
   return buffer;
 }
 
-/// What a stream claims before the first number that Draco takes memory for.
+/// The claims of a stream before the first number that Draco takes memory for.
 struct Claims {
   bool isEdgebreaker{false};
   std::uint64_t faces{0};

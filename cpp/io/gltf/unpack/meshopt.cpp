@@ -16,8 +16,8 @@ namespace {
 using Mode = GltfMeshopt::Mode;
 using Filter = GltfMeshopt::Filter;
 
-/// What KHR_meshopt_compression (and EXT_meshopt_compression, its first version) demands of an
-/// extension's members; empty if all is well.
+/// The demand of KHR_meshopt_compression (and of EXT_meshopt_compression, its first version) that
+/// an extension's members do not meet; empty if all is well.
 std::string faultOf(const GltfMeshopt& packed) {
   const std::uint64_t stride = packed.byteStride;
   if (packed.count == 0) return "has a count of 0";

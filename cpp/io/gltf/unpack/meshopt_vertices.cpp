@@ -76,7 +76,7 @@ bool decodeGroup(Front& front, unsigned bits, std::uint8_t* deltas) {
 
 /// The differences of one byte of all vertices of a block.
 bool decodeByte(Front& front, unsigned control, std::size_t vertices, Deltas& deltas) {
-  // What the two bits of a group's header mean, for either control.
+  // The meaning of the two bits of a group's header, for either control.
   constexpr unsigned kBits[2][4] = {{0, 1, 2, 4}, {1, 2, 4, 8}};
   if (control == 2) {
     deltas.fill(0);

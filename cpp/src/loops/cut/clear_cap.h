@@ -14,8 +14,8 @@ namespace girth::loops {
 /// where they fill several, or one that passes a vertex twice, or have a vertex within.
 std::vector<Vertex> polygonOf(std::span<const std::array<Vertex, 3>> faces);
 
-/// Of the triangulations of a polygon whose triangles have an area and meet none of some other
-/// faces but in corners and edges that they share, that of least area; nothing where there is none.
+/// The triangulation of least area among those of a polygon whose triangles have an area and meet
+/// none of some other faces but in corners and edges that they share; nothing where there is none.
 /// `places`: of all vertices. O(n^3) triangles of n corners, each compared with the faces beside
 /// it.
 std::optional<std::vector<std::array<Vertex, 3>>> clearCap(std::span<const Vertex> polygon,

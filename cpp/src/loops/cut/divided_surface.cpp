@@ -142,7 +142,7 @@ class Divider {
       case SurfacePoint::Kind::InFace:
         break;
     }
-    // The same point again, as where a curve is given twice.
+    // A point that is known already, as where a curve is given twice.
     auto& known = inFace_[point.element];
     for (const Index number : known) {
       if (points_[number].weights == point.weights) return number;
@@ -387,11 +387,11 @@ class Divider {
   std::span<const SurfaceCurve> curves_;
   const ExecutionContext& context_;
   std::vector<SurfacePoint> points_;
-  /// Of each edge, by edgeOf: shares and numbers, in rising order.
+  /// Shares and numbers of the points on each edge (edgeOf), in rising order.
   std::unordered_map<Index, std::vector<std::pair<double, Index>>> onEdge_;
-  /// Of each face: ways through it from one point of its rim to another.
+  /// Ways through each face from one point of its rim to another.
   std::unordered_map<Index, std::vector<Chain>> chains_;
-  /// Of each face: the points inside it.
+  /// The points inside each face.
   std::unordered_map<Index, std::vector<Index>> inFace_;
   std::unordered_set<std::uint64_t> cuts_;
 };

@@ -20,7 +20,7 @@ struct DividedSurface {
   std::vector<bool> isCut;  ///< for each halfedge: a curve runs along it
 };
 
-/// What is returned where cutting is cancelled.
+/// The error where cutting is cancelled.
 Error cutCancelled();
 
 /// Errors: those of cutSurface.

@@ -13,7 +13,8 @@ class LevelCurves {
       : mesh_(mesh), values_(values), level_(level), isDone_(mesh.halfedgeCount(), false) {}
 
   std::vector<SurfaceCurve> all() {
-    // Those that begin at the boundary or beside a vertex without a value first: from their ends.
+    // Curves that begin at the boundary or beside a vertex without a value come first, from their
+    // ends.
     for (const bool fromEnds : {true, false}) {
       for (const Halfedge h : mesh_.halfedges()) {
         if (isDone_[h] || !rises(h) || !isWhole(h) || (fromEnds && !isEnd(mesh_.twin(h)))) continue;

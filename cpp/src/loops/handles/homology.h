@@ -56,7 +56,7 @@ class Homology {
   /// to it.
   std::vector<SurfacePoint> basisCurve(std::size_t k) const;
 
-  /// What a closed curve is made of. O(its length).
+  /// The class of a closed curve: which loops of the basis it is made of. O(its length).
   HomologyClass classOf(const Unfolding& unfolding, const TautLoop& loop) const;
 
   /// The matrix P of linking numbers: P(i, k) is that of basis curve i and of the k-th curve
@@ -71,7 +71,8 @@ class Homology {
   void growFaceTree();
   /// Halfedges from the vertex where the ways from the root part, round to it.
   std::vector<Index> edgesOf(std::size_t k) const;
-  /// The same of faces: each halfedge is crossed from its own face to that of its twin.
+  /// The crossings of cycle k among faces: each halfedge is crossed from its own face to that of
+  /// its twin.
   std::vector<Index> crossingsOf(std::size_t k) const;
   double linkOf(Index edge, Index crossing) const;
   double outerAngle(Index halfedge) const;

@@ -81,7 +81,7 @@ class Rims {
     }
     std::vector<std::array<Vertex, 3>> faces;
     for (const Face f : mesh.faces()) faces.push_back(mesh.faceVertices(f));
-    // Those to be triangulated anew are not in each other's way before they are.
+    // Caps to be triangulated anew are not in each other's way before they are.
     std::set<Index> pending;
     for (Index cap = 0; cap < caps_; ++cap) {
       if (closings[cap].isClear) pending.insert(cap);
@@ -97,8 +97,8 @@ class Rims {
     return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Boundary);
   }
 
-  /// Of a surface drawn back, the faces of each cap, and those that its rim moved, which cross
-  /// others; but not those that did so before.
+  /// The faces of each cap of a surface drawn back, and faces that its rim moved, which cross
+  /// others; not faces that did so before.
   std::vector<std::vector<Face>> crossing(const SurfaceMesh& drawn) const {
     std::vector<Face> changed;
     for (const Face f : drawn.faces()) {

@@ -77,7 +77,7 @@ Result<Bottleneck> findBottleneck(const SurfaceMesh& mesh, std::span<const doubl
   }
   const auto unfolding = std::make_shared<const Unfolding>(mesh);
   GirthSolver solver = SolverFactory::onUnfolding(unfolding);
-  // Of the ends by themselves, whatever the values of their neighbours are.
+  // The girths of the ends by themselves, whatever the values of their neighbours are.
   const auto start = solver.value(from, context.ofOneThread());
   if (!start) return start.error();
   const auto end = solver.value(to, context.ofOneThread());

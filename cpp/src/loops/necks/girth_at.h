@@ -17,7 +17,7 @@ namespace girth::loops {
 /// Keeps a solver for each thread from one call to the next.
 class GirthAt {
  public:
-  /// Of the context, the threads and `cancel` matter.
+  /// Takes threads and `cancel` of the context; nothing else of it matters.
   GirthAt(std::shared_ptr<const geodesic::Unfolding> unfolding, const ExecutionContext& context);
 
   /// At points of the surface. Progress is reported to `onProgress`, where given. Error: CANCELLED.

@@ -52,7 +52,7 @@ struct ByElements {
 };
 using LoopSet = std::set<TautLoop, ByElements>;
 
-/// What the threads find.
+/// Necks that the threads find.
 struct Gathered {
   std::mutex mutex;
   LoopSet loops;

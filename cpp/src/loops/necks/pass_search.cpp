@@ -21,7 +21,7 @@ constexpr int kPlainRounds = 300;
 /// Lengths of one loop agree to this share.
 constexpr double kRounding = 1e-9;
 
-/// What a height is known to, as a share of what it is above the level.
+/// How finely a height is known, as a share of its rise above the level.
 constexpr double kFinestRise = 1e-2;
 
 /// Nearer to a side of a cell than this share of the cell: on it.

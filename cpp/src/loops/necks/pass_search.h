@@ -85,9 +85,9 @@ class PassSearch {
   /// Takes out the segments of which upper bounds show that the girth is nowhere more than a
   /// height.
   std::optional<Error> dropBelow(double height, std::vector<std::pair<Index, Index>>& segments);
-  /// Of the cells beside a segment the longest side, then of those beside that, and so on to one
-  /// that is the longest of all cells beside it. Halving these makes no cell narrower than half the
-  /// narrowest angle there is, and so it ends.
+  /// The longest side of the cells beside a segment, then of the cells beside that, and so on to a
+  /// side that is the longest of all cells beside it. Halving these makes no cell narrower than
+  /// half the narrowest angle there is, and so it ends.
   std::pair<Index, Index> longestFrom(Index a, Index b) const;
   void addCell(const Cell& cell);
   void removeCell(Index cell);
@@ -111,7 +111,7 @@ class PassSearch {
   double coarsest_;
   Girth girthAt_;
   UpperBound upperBoundOf_;
-  /// Of segments, by the node that they are seen from and the other one.
+  /// Upper bounds of segments, by the node that they are seen from and the other one.
   std::unordered_map<std::uint64_t, double> upperBounds_;
   MinimaxPaths ways_{values_, neighbours_};
 };

@@ -1,4 +1,4 @@
-// What a closed polyline measures in space.
+// Measures of a closed polyline in space.
 #pragma once
 
 #include <vector>

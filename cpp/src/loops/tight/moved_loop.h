@@ -39,9 +39,9 @@ class MovedLoop {
   bool turn(Index vertex, Index from, Index to, bool isLeft, Run& run) const;
   /// Appends the edges crossed at a point between two pieces of the loop.
   bool pass(const SurfacePoint& point, Index from, Index to, Side side, Run& run) const;
-  /// Those crossed at the base, from a face to where the loop begins and from where it ends back to
-  /// the face: round a vertex on the side on which they are fewer. Nothing where the boundary is in
-  /// between.
+  /// The halfedges crossed at the base, from a face to where the loop begins and from where it ends
+  /// back to the face: round a vertex on the side on which they are fewer. Nothing where the
+  /// boundary is in between.
   std::optional<std::pair<Run, Run>> ends(Index face) const;
   /// The halfedge of a face that starts from one of its vertices.
   Index outOf(Index vertex, Index face) const;

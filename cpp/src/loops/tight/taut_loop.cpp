@@ -21,8 +21,8 @@ enum class Side : std::uint8_t { Left, Right };
 
 /// A direction in which a run leaves a vertex.
 struct Departure {
-  /// Of the vertex's edges, counter-clockwise: the one that it follows, or the one on the right of
-  /// the face that it leaves through.
+  /// The number of an edge among the vertex's, counter-clockwise: the one that it follows, or the
+  /// one on the right of the face that it leaves through.
   std::size_t edge{0};
   bool alongEdge{false};
   /// As Unfolding::direction.
@@ -655,7 +655,7 @@ struct Slide {
   TautLoop end;
 };
 
-/// What is on the left of a tight loop.
+/// The behaviour of a tight loop on its left.
 enum class LeftSide : std::uint8_t { Stops, Slides, Leaks };
 
 /// Whether a tight loop can be moved to the left without getting longer, and how far; `pushed`: the

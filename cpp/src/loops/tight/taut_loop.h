@@ -17,7 +17,7 @@
 
 namespace girth::loops {
 
-/// What became of a curve.
+/// The outcome for a curve.
 enum class Tightened : std::uint8_t {
   Geodesic,    ///< a closed geodesic: at every vertex each side within the surface has at least π
   Contracted,  ///< a point: the curve bounds a disk that it slips off
@@ -38,7 +38,7 @@ struct TautLoop {
 /// in one face. Nothing where they are not.
 std::optional<TautLoop> looseLoop(const Unfolding& unfolding, std::span<const SurfacePoint> points);
 
-/// What has become of curves, by how they ran on the way: one that comes to where another has been
+/// Outcomes for curves, by how they ran on the way: a curve that comes to where another has been
 /// ends as that one did. May be used by several threads at once; what it gives depends on the curve
 /// alone, and not on what it was asked before. 48 bytes for each step that was made.
 class TightenedBefore {
@@ -71,10 +71,10 @@ class TightenedBefore {
 /// strip that it changes.
 Tightened tighten(const Unfolding& unfolding, TautLoop& loop);
 
-/// The same, with what is known from other curves. The loop is canonical then.
+/// Draws a loop tight with the outcomes for other curves. The loop is canonical then.
 Tightened tighten(const Unfolding& unfolding, TautLoop& loop, TightenedBefore& before);
 
-/// The same loop, whatever vertex it is begun at and whichever way it runs.
+/// One form of a loop, whatever vertex it is begun at and whichever way it runs.
 TautLoop canonical(const Unfolding& unfolding, const TautLoop& loop);
 
 /// Its length, in model units.

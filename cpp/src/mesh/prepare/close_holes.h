@@ -12,7 +12,7 @@ namespace girth::prepare {
 struct HoleFillings {
   std::vector<ClosedHole> holes;  ///< `vertex` is one of the surface
   std::vector<Index> triangles;
-  /// Of new vertices, numbered on from those of the surface.
+  /// Positions of new vertices, numbered on from those of the surface.
   std::vector<double> positions;
 };
 

@@ -1,4 +1,4 @@
-// What a change of a mesh may not do to its faces: turn them over, or make needles of them.
+// Checks that a change of a mesh neither turns faces over nor makes needles of them.
 #pragma once
 
 #include "mesh/remesh/cancellation_poll.h"

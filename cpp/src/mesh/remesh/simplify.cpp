@@ -42,8 +42,8 @@ class Simplifier {
   }
 
   Result<RemeshedSurface> run() {
-    // What could not be collapsed may be later: its neighbours have changed. After some rounds only
-    // as long as that is much.
+    // Edges that could not be collapsed may be later: their neighbours have changed. After some
+    // rounds only as long as that is much.
     constexpr int kFullRounds = 16;
     constexpr Index kLittle = 256;  // of so many faces, one
     Index before = kNoIndex;

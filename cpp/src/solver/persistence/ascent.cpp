@@ -52,7 +52,7 @@ bool areLonger(const Straight& piece, double begin, double end, Vec2 root, doubl
   const double nearest = square > 0 ? -dot(start, along) / square : 0;
   const double length = sigma + norm(start + std::clamp(nearest, begin, end) * along);
   if (length > low * (1 + kAbove)) return true;
-  // Those that arrive at the saddle itself become longer from there on.
+  // Paths that arrive at the saddle itself become longer from there on.
   return piece.isFirst && nearest <= kTouch && length >= low * (1 - kApart);
 }
 
@@ -102,7 +102,7 @@ void Ascent::start(double low, double high) {
 
 bool Ascent::leads(const SaddleSide& side, double low, double high) {
   const Unfolding& unfolding = propagation_->unfolding();
-  // What lasts no longer than that is not seen to last.
+  // A saddle that lasts no longer than that is not seen to last.
   high = std::max(high, low * (1 + 2 * kApart));
   start(low, high);
   origin_ = positionOf(unfolding.mesh(), unfolding.toMesh(propagation_->source(0)));
@@ -199,7 +199,7 @@ bool Ascent::isClear(Index halfedge, Vec2 from, Vec2 to, bool isFirst) {
   });
 }
 
-/// The same side of a saddle on a halfedge, in the face beyond.
+/// A side of a saddle on a halfedge as it is in the face beyond.
 SaddleSide Ascent::beyond(const SaddleSide& side, Index halfedge) const {
   const Unfolding& unfolding = propagation_->unfolding();
   const auto place = [&](Vec2 p) {
@@ -323,7 +323,7 @@ double Ascent::fromReached(Vec3 point) const {
 /// so near is so near in space, too, and hangs together across edges that are.
 bool Ascent::isFarFromAll(Index halfedge, Vec3 point) {
   if (reached_.size() > kMostReached) return false;
-  // What was found last is the nearest, as a rule.
+  // The point that was found last is the nearest, as a rule.
   for (std::size_t i = reached_.size(); i-- > 0;) {
     if (squareOf(point - reached_[i]) <= radius_ * radius_) return false;
   }

@@ -227,7 +227,7 @@ void PersistentSearch::leaveOutApart(const LoopCandidate& loop) {
   });
 }
 
-/// What becomes of a saddle, as far as its two sides show: whether both lead farther than `end`, or
+/// The fate of a saddle, as far as its two sides show: whether both lead farther than `end`, or
 /// one of them is filled up to there.
 PersistentSearch::Fate PersistentSearch::foresee(const Saddle& saddle, double end, bool isPassed) {
   if (!saddle.isPlain || isBesideCorner(saddle)) return Fate::Unknown;
@@ -239,7 +239,7 @@ PersistentSearch::Fate PersistentSearch::foresee(const Saddle& saddle, double en
     return SaddleSide{loop.halfedge, loop.midpoint, roots,
                       k == 0 ? Vec2{-line.y, line.x} : Vec2{line.y, -line.x}};
   };
-  // What does not lead on at once is filled, as a rule.
+  // A side that does not lead on at once is filled, as a rule.
   if (isPassed && !withDeaths_ && isAlone(saddle)) {
     for (const std::size_t k : {0, 1}) {
       if (leads_[k]) continue;

@@ -56,7 +56,7 @@ class PersistentSearch {
     /// known once all maxima are.
     bool isOpenToRounding{false};
   };
-  /// Those that were met, in the order of their heights.
+  /// The saddles that were met, in the order of their heights.
   const std::vector<Saddle>& saddles() const { return saddles_; }
   /// The maxima that were looked for, in no order.
   const std::vector<LocalMaximum>& maxima() const { return maxima_; }

@@ -24,7 +24,7 @@ constexpr double kOnSide = 1e-6;
 constexpr double kSamePoint = 1e-8, kSameRay = 1e-6;
 constexpr std::size_t kNoPie = static_cast<std::size_t>(-1);
 
-/// What of a segment lies in a disk: from one share of it to another. False: nothing.
+/// The part of a segment that lies in a disk: from one share of it to another. False: none.
 bool crossesDisk(Vec2 centre, double radius, Vec2 from, Vec2 to, double& begin, double& end) {
   const Vec2 along = to - from, start = from - centre;
   const double square = dot(along, along);
@@ -87,7 +87,7 @@ void SuperlevelPieces::gather(const Propagation& propagation, Index face, double
     const Crossing c = unfolding.crossing(3 * face + k);
     sides_.push_back({corners[k], corners[(k + 1) % 3], 3 * face + k, 0, c.length(), -1});
     slack_ = std::max(slack_, kTouch * c.length());
-    // Of a corner that sends out no paths, one that has reached it bounds distances all the same.
+    // A path that has reached a corner bounds distances, also where the corner sends out none.
     const double distance = propagation.distance(c.from());
     if (!propagation.settled(c.from()) && std::isfinite(distance)) {
       sources_.push_back({corners[k], distance, {0, 0}, {0, 0}, k});
@@ -312,7 +312,7 @@ bool SuperlevelPieces::meet(const Pie& a, const Pie& b) {
     clip(polygon_, clipped_, source->root, source->right, slack_);
   }
   if (polygon_.empty()) return false;
-  // What is common to the disks meets the rim of the polygon, or lies inside as a whole.
+  // The intersection of the disks meets the rim of the polygon, or lies inside as a whole.
   for (std::size_t i = 0; i < polygon_.size(); ++i) {
     const Vec2 from = polygon_[i], to = polygon_[(i + 1) % polygon_.size()];
     double begin = 0, end = 1;
@@ -332,7 +332,7 @@ bool SuperlevelPieces::meet(const Pie& a, const Pie& b) {
   return true;
 }
 
-/// What is left between the arcs, side by side.
+/// Finds the pieces that are left between the arcs, side by side.
 void SuperlevelPieces::findPieces() {
   pieces_.clear();
   const std::size_t sideCount = sides_.size();
@@ -395,7 +395,7 @@ bool SuperlevelPieces::isWithin(double high) {
     for (const Pseudosource& source : sources_) {
       if (!(source.sigma < high) || !source.meetsDisk(centre, slack_)) continue;
       atCentre = std::min(atCentre, source.distanceTo(centre));
-      // What one root sees as a whole is no farther from it than the farthest corner.
+      // A cell that one root sees as a whole is no farther from it than its farthest corner.
       double farthest = 0;
       for (const Vec2 corner : cell) {
         farthest = source.meetsDisk(corner, slack_) ? std::max(farthest, source.distanceTo(corner))

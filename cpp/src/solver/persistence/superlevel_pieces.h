@@ -89,7 +89,7 @@ class SuperlevelPieces {
     int half;         ///< of the loop, that it belongs to; -1: none
     std::size_t arc;  ///< of the rim
   };
-  /// What is blocked of the rim: side number and share of the side, together.
+  /// A blocked part of the rim: side number and share of the side, together.
   struct Blocked {
     double begin, end;
     std::size_t pie;

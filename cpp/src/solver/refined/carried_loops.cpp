@@ -62,7 +62,7 @@ class Carrier {
     return found.triangle == kNoIndex ? search_.nearest(p) : found;
   }
 
-  /// Of the faces at both ends of a piece, which runs within one of them.
+  /// The normal of the faces at both ends of a piece, which runs within one of them.
   Vec3 normalBetween(const SurfacePoint& a, const SurfacePoint& b) const {
     const Vec3 first = normalAt(a), second = normalAt(b);
     return first + second;

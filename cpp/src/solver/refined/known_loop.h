@@ -1,4 +1,4 @@
-// What is known of the girth at the vertices of a large surface, while loops run from neighbour to
+// The knowledge of the girth at the vertices of a large surface, while loops run from neighbour to
 // neighbour.
 #pragma once
 
@@ -52,7 +52,7 @@ inline bool isContradicted(double low, double high, double distance) {
   return high - low > 2 * distance * (1 + kSameLength);
 }
 
-/// What is to be found out at a base, so that its neighbours do not contradict it.
+/// The question to be answered at a base, so that its neighbours do not contradict it.
 enum class Question : std::uint8_t {
   None,
   DoesItStand,  ///< a longer loop beside, or a question: are its halves shortest?

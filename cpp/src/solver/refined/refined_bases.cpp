@@ -28,7 +28,7 @@ RefinedBases basesOn(const geodesic::Unfolding& ground, const LeanSurface* lean)
     bases.vertices[base] = v;
     bases.places[base] = place;
   }
-  // What is near on the surface is near in memory.
+  // Bases that are near on the surface are near in memory.
   const auto faceOf = [&](Index v) {
     return faceOfSide(ground.home(ground.fromMesh(lean->places[v])));
   };

@@ -72,7 +72,7 @@ constexpr Index kMostFacesForLoops = 200'000;
 /// Where flat vertices are left out, so many vertices of the audit are also computed with them.
 constexpr std::size_t kAuditOnAllFaces = 8;
 
-/// What a thread works with.
+/// The memory that a thread works with.
 struct Scratch {
   explicit Scratch(const std::shared_ptr<const Unfolding>& unfolding)
       : solver(SolverFactory::onUnfolding(unfolding)),
@@ -204,9 +204,10 @@ class Refinement {
     return std::nullopt;
   }
 
-  /// What is far below the coarse girth around is no loop of which the halves are shortest.
+  /// Sets the floor: a loop far below the coarse girth around has no halves that are shortest
+  /// paths.
   void setFloor(const SurfaceMesh& coarse, const std::vector<double>& lengths) {
-    // Of each coarse vertex the least value within two edges: the girth jumps, and where it does is
+    // The least value within two edges of each coarse vertex: the girth jumps, and where it does is
     // known to within an edge.
     std::vector<double> least = lengths;
     for (int ring = 0; ring < 2; ++ring) {
@@ -315,8 +316,8 @@ class Refinement {
     if (isSameLength(found.length, own.length)) found.length = kNoValue;
   }
 
-  /// Of neighbours that have changed, those whose loops cannot be shorter at the base. What is
-  /// proved counts always: it may lower the floor.
+  /// Leaves out neighbours that have changed and whose loops cannot be shorter at the base. A value
+  /// that is proved counts always: it may lower the floor.
   void leaveOutNoGain(Beside& beside) const {
     const auto positionOfBase = [&](Index base) {
       return mesh_.position(Vertex(bases_.vertices[base]));
@@ -376,7 +377,7 @@ class Refinement {
 
   Question question(Index base) const { return questionAt(base, known_, graph_); }
 
-  /// What neighbours' values cannot be true together with: first whether the short loop of two
+  /// Proves values that contradict those of neighbours: first whether the short loop of two
   /// stands, then, exactly, what the long one is, and what has no loop. Then some bases evenly
   /// spread over the surface, exactly, since a region may be wrong as a whole without a
   /// contradiction. Within bounds; what is left is suspect. `mesh`: whose vertices the bases are.
@@ -427,7 +428,7 @@ class Refinement {
 
   void settleSome(VerificationQueue& queue) {
     std::vector<Index> asked, exact;
-    // What has spread meanwhile may have put an end to a question.
+    // Loops that have spread meanwhile may have put an end to a question.
     for (const Index base : queue.take(kAtATime, graph_, [&](Index candidate) {
            return question(candidate) != Question::None;
          })) {
@@ -437,7 +438,7 @@ class Refinement {
     settleExactly(exact, queue);
   }
 
-  /// What is said of a loop.
+  /// The answer about a loop.
   struct Answer {
     bool stands{false};
     std::vector<Index> refuted;  // it and others, where it does not
@@ -642,7 +643,7 @@ class Refinement {
       });
     });
   }
-  /// The same threads, without progress.
+  /// A context with the same threads, without progress.
   ExecutionContext silent() const { return {context_.threads, context_.cancel, {}}; }
   void report(double share) const {
     if (stage_.onProgress) stage_.onProgress(share);

@@ -20,7 +20,7 @@ inline constexpr double kTogether = 1e-9;
 /// is no maximum where the saddle beside it is none.
 inline constexpr double kNoGap = kPi - 2 * kTogether;
 
-/// What a path from p to a point of a face ends with.
+/// The end of a path from p to a point of a face.
 struct PathHalf {
   geodesic::Bundle bundle;  ///< a bundle of the face; otherwise
   Index vertex{kNoIndex};   ///< the path to a corner of it; otherwise p itself lies in the face

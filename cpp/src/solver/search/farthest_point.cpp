@@ -45,7 +45,8 @@ int meetingPlaces(Vec2 a, double sigmaA, Vec2 b, double sigmaB, std::array<doubl
   return count;
 }
 
-/// Of all cells, the most promising comes first; what cannot hold a farther point is left out.
+/// A search of cells: the most promising comes first; cells that cannot hold a farther point are
+/// left out.
 class Search {
  public:
   Search(const Propagation& propagation, FarthestPoint& best)
@@ -76,7 +77,7 @@ class Search {
   /// More sources than these are not kept: some 60 MB.
   static constexpr std::size_t kMostKept = std::size_t{1} << 20;
 
-  /// What the bound of a cell follows from.
+  /// The reason for the bound of a cell.
   enum class Bound : std::uint8_t {
     Face,          ///< the corners of the face; its sources are yet to be found
     Radius,        ///< the distance of the middle, and the way from there
@@ -95,7 +96,7 @@ class Search {
     bool operator<(const Cell& other) const { return bound < other.bound; }
   };
 
-  /// What cannot be farther than this need not be looked at: the maximum is no less, or a point
+  /// The distance that a cell must exceed to be looked at: the maximum is no less, or a point
   /// there ties with the best.
   double worthwhile() const { return std::max(atLeast_, best_.distance * (1 + kTie)); }
 

@@ -273,7 +273,7 @@ void MaximaSearch::tryCell(Cell cell) {
   for (const Pseudosource& bound : bounds_) atCentre = std::min(atCentre, bound.distanceTo(centre));
   if (atCentre + radius < low_ || atCentre - radius > high_) return;
 
-  // What can be nearest somewhere in the cell.
+  // Paths that can be nearest somewhere in the cell.
   const double margin = radius * (1 + 1e-6) + kTie * atCentre;
   const Vec2 rising = centre - nearest->root;
   std::vector<Pseudosource>& sources = cell.sources;

@@ -14,7 +14,7 @@ namespace girth {
 /// A point at which the frontier vanishes.
 struct LocalMaximum {
   double distance;
-  /// Of a path that arrives there on the far side from the widest gap between them.
+  /// A path that arrives there on the far side from the widest gap between paths.
   BentPath path;
 };
 

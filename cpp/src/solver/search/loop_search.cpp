@@ -96,7 +96,7 @@ void LoopSearch::pairAcross(Index halfedge, std::uint32_t first, Index other) {
   const double otherLength = unfolding.crossing(other).length();
   const std::vector<Window>* others = nullptr;
   for (std::uint32_t i = first; i < propagation_->enteredCount(halfedge); ++i) {
-    // What is left undone does not count: the propagation gives up, or is cancelled, next.
+    // Pairs that are left undone do not count: the propagation gives up, or is cancelled, next.
     if (interrupted() || effort() > propagation_->budget()) return;
     const Window a = propagation_->window(halfedge, i);
     // The window as seen from the other side: its root must lie beyond the face.
@@ -187,7 +187,7 @@ void LoopSearch::tryApex(Index halfedge, const Window& window) {
   }
 }
 
-// The same where the other end is p itself, inside the face or on a side of it.
+// Tries a loop whose other end is p itself, inside the face or on a side of it.
 void LoopSearch::tryOrigin(Index halfedge, const Window& window,
                            const Propagation::Origin& origin) {
   const Vec2 p = propagation_->unfolding().toFrame(3 * origin.face, halfedge, origin.place);

@@ -38,7 +38,7 @@ namespace girth {
 /// A straight connection of two paths from p, as yet unproven.
 struct LoopCandidate {
   double length{0};
-  /// What its halves end with, in the face of q.
+  /// The ends of its halves, in the face of q.
   PathHalf there, back;
   /// q, in the frame of a halfedge of a face that contains it.
   Index halfedge{0};

@@ -5,7 +5,7 @@ const piece = 1 << 20;
 
 type Numbers = Float64Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
 
-/** Of each array a copy. */
+/** A copy of each array. */
 export async function copiedInPieces<A extends object>(arrays: A): Promise<A> {
   const copies: Record<string, Numbers> = {};
   for (const [name, array] of Object.entries(arrays) as [string, Numbers][]) {

@@ -1,7 +1,7 @@
 // Workers for jobs: reading a model, what is made of a surface, writing a file. Each job has a worker for
 // itself while it runs. It can be ended at any moment without harm to anything else.
 //
-// What is kept between jobs:
+// Workers keep some things between jobs:
 // - A worker keeps the surfaces that it was given, until their meshes are disposed of. A job goes to an idle
 //   worker that has its surfaces, so that these are copied and built once, not once per job. A worker that
 //   replaces one that was ended is given them again.

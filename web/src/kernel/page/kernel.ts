@@ -147,7 +147,7 @@ interface JobPools {
 
 type AnyWorker = Pick<WorkerClient<SingleOperations>, 'drop' | 'terminate'>;
 
-/** Of all kernels of the page: a mesh of one can be compared with those of another. */
+/** The last number of a surface, among all kernels of the page: a mesh of one can be compared with those of another. */
 let lastSurface = 0;
 
 export class KernelOfWorkers implements Kernel, MeshHost {

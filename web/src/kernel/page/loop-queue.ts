@@ -5,9 +5,9 @@ import type { Answer, Arguments, SingleOperations } from '../types/protocol.js';
 import type { SurfaceSource } from './surface-source.js';
 import type { WorkerClient } from './worker-client.js';
 
-/** What is answered of a point. */
+/** The operations at a point. */
 export type PointOperation = 'loop' | 'barcode';
-/** What an operation needs besides the surface. */
+/** The arguments of an operation besides the surface. */
 export type PointArguments<K extends PointOperation> = Omit<
   Arguments<SingleOperations, K>,
   'surface'

@@ -1,4 +1,4 @@
-// What a mesh asks of the kernel that made it.
+// The services that a mesh asks of the kernel that made it.
 
 import type { BarcodeRun } from './barcodes.js';
 import type { JobNeeds } from './job-pool.js';
@@ -40,7 +40,7 @@ export interface MeshHost {
     maxPersistence: number,
     options: WatchedOptions,
   ): Promise<BarcodeRun>;
-  /** What is answered of a point: its loop, or its barcode. */
+  /** Answers for a point: its loop, or its barcode. */
   atPoint<K extends PointOperation>(
     surface: SurfaceSource,
     operation: K,
@@ -53,7 +53,7 @@ export interface MeshHost {
     signal: AbortSignal | undefined,
     job: (worker: WorkerClient<JobOperations>) => Promise<R>,
   ): Promise<R>;
-  /** The same for a job that needs the surface's spectrum. */
+  /** Runs a job that needs the surface's spectrum. */
   spectralJob<R>(
     needs: JobNeeds,
     signal: AbortSignal | undefined,

@@ -129,7 +129,7 @@ export class MeshOfWorkers implements Mesh {
   readonly surface: SurfaceSource;
   /** As the workers for jobs know it. */
   readonly #jobSurface: SurfaceSource<SurfaceWithInput>;
-  /** What the file has besides. */
+  /** The content of the file besides the surface. */
   readonly #content: FileContent;
   /** Data that files of a result need, by the result that this mesh gave. */
   readonly #besides = new WeakMap<object, FoundBesides>();
@@ -668,7 +668,7 @@ export class MeshOfWorkers implements Mesh {
     return { girth: this.#own(igf, 'igf'), diameter: this.#own(sdf, 'sdf') };
   }
 
-  /** What the limits need of the fields. */
+  /** The values of the fields that the limits need. */
   #printed({ igf, thickness }: PrintFields, limits: Required<PrintLimits>): PrintArrays {
     const values = (field: Field | undefined, name: FieldName, isNeeded: boolean) => {
       if (field) return this.#own(field, name);

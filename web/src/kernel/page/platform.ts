@@ -1,4 +1,4 @@
-// What a kernel asks of the program that it runs in: a page here, Node.js in `web/src/node`. The kernel's
+// Services that a kernel asks of the program that it runs in: a page here, Node.js in `web/src/node`. The kernel's
 // workers ask more, in `worker-files.ts`.
 
 import { fetched, type ContentAt } from './source.js';

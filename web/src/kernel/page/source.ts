@@ -61,7 +61,7 @@ function withPath(content: Blob): FileWithPath {
   return { path: webkitRelativePath || name || 'model', content };
 }
 
-/** What the network has at an address. */
+/** The content at an address of the network. */
 export const fetched: ContentAt = async (address, signal) => {
   let response: Response;
   let content: Blob;

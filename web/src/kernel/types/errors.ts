@@ -33,7 +33,7 @@ export class GirthError extends Error implements GirthErrorFields {
   readonly code: string;
   /** The first offending vertex, face, line or byte, as the message states; -1 where there is none. */
   readonly element: number;
-  /** What to do about it. */
+  /** The remedy. */
   readonly hint: string;
 
   /** An error of these fields. The options may carry its cause. */

@@ -58,7 +58,7 @@ export const barcodeRequest = (maxPersistence: number): FieldRequest => ({
   persistence: maxPersistence,
 });
 
-/** The same for a spectral field. */
+/** The request for a spectral field. */
 export const spectralRequest = (
   name: SpectralFieldName,
   { pairs, time, component }: SpectralOptions = {},

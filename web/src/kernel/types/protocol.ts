@@ -30,9 +30,9 @@ export interface SurfaceArrays {
   indices: Uint32Array<ArrayBuffer>;
 }
 
-/** What a model's file has besides its surface, for the files of parts of it. */
+/** The content of a model's file besides its surface, for the files of parts of it. */
 export interface FileContent {
-  /** Of the file. */
+  /** Faces of the file. */
   faceCount: number;
   /** For each face of the surface that of the file; 0xFFFFFFFF for those that were made. */
   inputOfFace: Uint32Array<ArrayBuffer>;
@@ -65,12 +65,12 @@ export interface SurfaceWithInput extends SurfaceArrays {
   inputOfVertex: Uint32Array;
 }
 
-/** What files state of a model besides its surface and fields. */
+/** Facts about a model that files state besides its surface and fields. */
 export interface WrittenModel {
   name: string;
   /** By its name, for example 'metre'; or ''. */
   unit: string;
-  /** Of the girth that what is written was found by. */
+  /** The persistence of the girth by which a result was found. */
   persistence: number;
 }
 
@@ -106,7 +106,7 @@ export interface GirthAndDiameter {
   diameter: Float64Array;
 }
 
-/** What limits are checked by, one value per vertex; empty where a limit does not need it. */
+/** Values by which limits are checked, one per vertex; empty where a limit does not need them. */
 export interface PrintArrays {
   girth: Float64Array;
   thickness: Float64Array;
@@ -122,7 +122,7 @@ export interface FoundLoop extends Omit<Loop, 'base' | 'points' | 'unit'> {
 export interface FoundBarcode {
   /** Births and deaths in turn. */
   bars: Float64Array<ArrayBuffer>;
-  /** Of each bar, where they were asked for. */
+  /** The loop of each bar, where loops were asked for. */
   loops: FoundLoop[];
   rest: number;
   restKind: LoopKind;
@@ -139,7 +139,7 @@ export interface FinishedValues extends PartialField {
 /** Values of some vertices, in the order of the request. */
 export interface Values extends Omit<FinishedValues, 'vertices'> {
   values: Float64Array<ArrayBuffer>;
-  /** Of the girth, the kind of each value. Empty for other fields. */
+  /** The kind of each value of the girth. Empty for other fields. */
   kinds: Uint8Array<ArrayBuffer>;
   /** Milliseconds that the worker took. */
   milliseconds: number;
@@ -190,7 +190,7 @@ export interface SingleOperations extends CommonOperations {
   ];
 }
 
-/** What an axis needs of a limb's stations. */
+/** The members of a limb's stations that an axis needs. */
 export type PlacedStation = Pick<GirthStation, 'distance' | 'least' | 'place'>;
 
 /** Tips as a worker finds them. */

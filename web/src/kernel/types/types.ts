@@ -42,9 +42,9 @@ export interface GirthErrorFields {
   code: string;
   /** The first offending vertex, face, line or byte, as the message states; -1 where there is none. */
   element: number;
-  /** What is wrong, for people. */
+  /** The fault in words, for people. */
   message: string;
-  /** What to do about it, for people. */
+  /** The remedy in words, for people. */
   hint: string;
 }
 
@@ -188,7 +188,7 @@ export interface PartialField {
   vertices: Uint32Array;
   /** Their values; NaN where there is none. */
   values: Float64Array;
-  /** Of the girth, 0: loop, 1: antipodal, 2: unresolved. Empty for other fields. */
+  /** Kinds of the girth, 0: loop, 1: antipodal, 2: unresolved. Empty for other fields. */
   kinds: Uint8Array;
 }
 
@@ -196,7 +196,7 @@ export interface PartialField {
 export interface FieldOptions extends WatchedOptions, FieldParameters {
   /** Receives new values, coarse to fine: each batch is spread over the whole surface. */
   onPartial?: (partial: PartialField) => void;
-  /** Of 'hks', 'wks' and 'sihks'. */
+  /** Options of 'hks', 'wks' and 'sihks'. */
   spectral?: SpectralOptions;
 }
 
@@ -222,7 +222,7 @@ export interface Field {
   name: FieldName;
   /** One value per vertex of the surface, in its order; NaN where there is none. */
   values: Float64Array;
-  /** Of the girth, 0: loop, 1: antipodal, 2: unresolved; one per vertex. Empty for other fields. */
+  /** Kinds of the girth, 0: loop, 1: antipodal, 2: unresolved; one per vertex. Empty for other fields. */
   kinds: Uint8Array;
   /** The smallest and the largest value; NaN twice where no vertex has one. */
   range: [number, number];
@@ -235,9 +235,9 @@ export interface Field {
   method: string;
   /** Number of vertices that have no value. */
   withoutValue: number;
-  /** What a user should know of the values, in sentences: 'the surface is inside out: ...'; or ''. */
+  /** Remarks on the values, in sentences: 'the surface is inside out: ...'; or ''. */
   note: string;
-  /** Of 'igf' and 'angle', where it is not 0: the persistence, in model units. */
+  /** The persistence of 'igf' and 'angle', in model units, where it is not 0. */
   persistence?: number;
 }
 
@@ -324,7 +324,7 @@ export interface LevelCurve {
 
 /** Which necks are wanted. */
 export interface NeckOptions extends WatchedOptions {
-  /** Those of at least this prominence, in model units, from 0 on. Default: 0. */
+  /** The least prominence of a neck, in model units, from 0 on. Default: 0. */
   minProminence?: number;
 }
 
@@ -336,7 +336,7 @@ export interface PathStation extends MeasuredStation {
 
 /** The girth along a path. */
 export interface Profile {
-  /** Of the path, in model units. */
+  /** The length of the path, in model units. */
   length: number;
   /** In the order of their distances. */
   stations: PathStation[];
@@ -348,7 +348,7 @@ export interface Profile {
 
 /** The axis of a limb or another tube: the line through the middles of the loops that are swept along it. */
 export interface LimbAxis {
-  /** Of the axis, in model units. */
+  /** The length of the axis, in model units. */
   length: number;
   /** In the order of their distances; none where no loop goes round. */
   loops: AxisLoop[];
@@ -379,13 +379,13 @@ export interface HandleOptions extends WatchedOptions {
 export interface RemovedHandle {
   /** Which of the two it was. */
   kind: HandleKind;
-  /** Of its loop, in model units. */
+  /** The length of its loop, in model units. */
   length: number;
   /** Mean of the loop's points, in model units. */
   centre: [number, number, number];
 }
 
-/** What was taken away from a surface, and what is left. */
+/** The account of handles that were taken away from a surface. */
 export interface HandleRemoval extends MeasuredRemoval {
   /** In the order of the cuts. */
   removed: RemovedHandle[];
@@ -403,15 +403,15 @@ export interface CutPart {
   faces: Uint32Array<ArrayBuffer>;
   /** In squared model units. */
   area: number;
-  /** What it encloses, in cubed model units; NaN where it has a boundary. */
+  /** The volume that it encloses, in cubed model units; NaN where it has a boundary. */
   volume: number;
-  /** Of the part. */
+  /** The genus of the part. */
   genus: number;
   /** How many boundary curves it has. */
   boundaryCount: number;
 }
 
-/** What is left of a surface that was cut. */
+/** The parts of a surface that was cut. */
 export interface Cut {
   /** The largest area first; one where the curves divide nothing. */
   parts: CutPart[];
@@ -440,7 +440,7 @@ export interface PartOptions extends PartThresholds {
 
 /** The parts of a surface. */
 export interface Parts {
-  /** What each vertex is; 0: body, 1: tube, 2: plate, 3: unknown. */
+  /** The kind of each vertex; 0: body, 1: tube, 2: plate, 3: unknown. */
   kinds: Uint8Array;
   /** The index into `parts` for each vertex. */
   partOf: Uint32Array;
@@ -452,7 +452,7 @@ export interface Parts {
 export interface Segment extends CutPart {
   /** The kind that has the largest share. */
   kind: PartKind;
-  /** Of its area, by kind, from 0 to 1; they add up to 1. */
+  /** Shares of its area by kind, from 0 to 1; they add up to 1. */
   shares: Record<PartKind, number>;
   /** The tips whose apexes lie on it, by their numbers in {@link Tips.tips}, in rising order. */
   tips: number[];
@@ -473,7 +473,7 @@ export interface Segments {
 /** At which necks a surface is divided, and by what its segments are told apart. */
 export interface SegmentOptions extends NeckOptions, Partial<PartOptions> {}
 
-/** What a printer can still make, in model units. */
+/** The least measures that a printer can make, in model units. */
 export interface PrintLimits {
   /** The least diameter of a tube; 0: any. */
   tubeDiameter: number;
@@ -631,13 +631,13 @@ export interface UnreadableModel {
   error: GirthErrorFields;
 }
 
-/** What is known of a mesh and of the file that it comes from. */
+/** Facts about a mesh and the file that it comes from. */
 export interface MeshInfo {
   /** The file's name without folders; '' for arrays. */
   name: string;
   /** Paths of all models among the files that were given, including this one. */
   models: string[];
-  /** Those of `models` that were tried before this one and cannot be read. */
+  /** Entries of `models` that were tried before this one and cannot be read. */
   unreadable: UnreadableModel[];
   /** The file's format. */
   format: 'GLB' | 'glTF' | 'OBJ' | 'PLY' | 'STL' | 'OFF' | 'arrays';
@@ -662,9 +662,9 @@ export interface MeshInfo {
    * not state it, as a GLB of Girth may.
    */
   unit: string;
-  /** What was done to the input. */
+  /** The changes that were made to the input. */
   report: PreparationReport;
-  /** What else a user should know, a sentence each: 'skinned: shown in its bind pose'. */
+  /** Remarks on the file, a sentence each: 'skinned: shown in its bind pose'. */
   notes: string[];
   /** All components, kept or not, numbered by their first face of the input. */
   parts: MeshPart[];
@@ -684,7 +684,7 @@ export interface MeshGeometry {
   indices: Uint32Array;
   /** Two vertices of each edge of the boundary; empty where the surface is closed. */
   boundary: Uint32Array;
-  /** What positions are relative to, in the file's coordinates. */
+  /** The point that positions are relative to, in the file's coordinates. */
   origin: readonly [number, number, number];
 }
 
@@ -708,7 +708,7 @@ export interface MaximaOptions extends CallOptions {
  * with each method. A field that is handed over must be of this mesh: otherwise the code is USAGE.
  */
 export interface Mesh {
-  /** What is known of it. */
+  /** Facts about it. */
   readonly info: MeshInfo;
   /** The surface to draw and pick on. */
   readonly geometry: MeshGeometry;
@@ -1037,7 +1037,7 @@ export interface RemeshedMesh extends Mesh {
 
 /** A mesh without the small handles of the one that it was made of. */
 export interface RepairedMesh extends Mesh {
-  /** What was done. */
+  /** The account of the removal. */
   readonly removal: HandleRemoval;
 }
 
@@ -1047,7 +1047,7 @@ export interface RepairedMesh extends Mesh {
  */
 export interface CompareOptions extends WatchedOptions {
   /**
-   * What to compare by (`signatures.h`): 'igf', 'igf-ms', 'sdf', 'geoaverage', 'geofarthest' (each also
+   * The descriptors to compare by (`signatures.h`): 'igf', 'igf-ms', 'sdf', 'geoaverage', 'geofarthest' (each also
    * with 'log-' before it, for the logarithm), 'hks', 'sihks', 'wks', 'igf-sdf', and sums such as
    * '2*igf+sdf'.
    */

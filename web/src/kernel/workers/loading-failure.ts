@@ -3,12 +3,12 @@
 import { failure, fieldsOf, type GirthError } from '../types/errors.js';
 import { isElsewhere, scriptFromElsewhere } from './worker-from-elsewhere.js';
 
-/** What to do where the program lies on another origin. */
+/** The remedy where the program lies on another origin. */
 const orCopy = 'or copy the folder dist of the package to this site';
 const allowOrigin = (origin: string) =>
   `let ${origin} send the header Access-Control-Allow-Origin with all files of the package, .wasm too, ${orCopy}`;
 
-/** What to do where the program is a package that Node.js has loaded. */
+/** The remedy where the program is a package that Node.js has loaded. */
 export const installAgain =
   'install the package girth again; a file of it is missing, damaged or of another version';
 
@@ -57,7 +57,7 @@ export function workerNotStarted(text: string): GirthError {
 }
 
 /**
- * What `load` gives, a module of WebAssembly; or the reason why it could not be loaded. `from`: the address
+ * The module of WebAssembly that `load` gives; or the reason why it could not be loaded. `from`: the address
  * of the script that loads it.
  */
 export async function loadedModule<Module>(

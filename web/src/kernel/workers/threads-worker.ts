@@ -13,7 +13,7 @@ globalThis.Worker = workerFromAnywhere(globalThis.Worker);
 
 /** The first that the machine has room for, in pages of 64 KB: the refined girth of a large surface takes more than 1 GB. */
 const mostPages = [32_768, 16_384];
-/** What the module begins with. */
+/** Pages of memory that the module begins with. */
 const firstPages = 256;
 
 function sharedMemory([maximum = 0, ...less] = mostPages): WebAssembly.Memory {

@@ -10,7 +10,7 @@ export function dragged(from: number, to: number): [number, number] {
 }
 
 /**
- * What a key makes of a range of bins [first, last]: arrows move it, with Shift its upper end; Home
+ * The range that a key makes of a range of bins [first, last]: arrows move it, with Shift its upper end; Home
  * and End move it to the ends; Escape, Delete and Backspace remove it ('none'). Undefined: the key
  * means nothing here. Without a range an arrow begins at the end it comes from.
  */

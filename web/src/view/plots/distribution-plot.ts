@@ -11,13 +11,13 @@ export type DistributionKind = 'histogram' | 'cdf';
 
 /** The values of one model. */
 export interface DistributionSeries {
-  /** Those that are no numbers do not count. */
+  /** The values; entries that are no numbers do not count. */
   values: ArrayLike<number>;
   /** How much each counts. */
   weights: Weights;
   /** A CSS colour, of the cumulative line. */
   colour: string;
-  /** Of the cumulative line: lengths of dashes and gaps, in CSS pixels; absent: a plain line. */
+  /** The pattern of the cumulative line: lengths of dashes and gaps, in CSS pixels; absent: a plain line. */
   dash?: number[] | undefined;
 }
 
@@ -29,7 +29,7 @@ export interface BarColour {
   faint: boolean;
 }
 
-/** What a plot shows. */
+/** The content of a plot. */
 export interface DistributionContent {
   /** In which form. */
   kind: DistributionKind;
@@ -45,19 +45,19 @@ export interface DistributionContent {
   axes?: DistributionAxes | undefined;
 }
 
-/** What is written at the axes. */
+/** The words at the axes. */
 export interface DistributionAxes {
-  /** What the values are, with the unit. */
+  /** The name of the values, with the unit. */
   label: string;
 }
 
-/** What is written at an axis. */
+/** The words at an axis. */
 export interface AxisWords extends DistributionAxes {
   /** Writes a value. */
   format: (value: number) => string;
 }
 
-/** What a plot reports. */
+/** The events of a plot. */
 export interface DistributionEvents {
   /** A range was marked, or none any more; `settled` once the hand has let go. */
   brushed(range: [number, number] | undefined, settled: boolean): void;

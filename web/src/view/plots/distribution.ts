@@ -130,7 +130,7 @@ const fewValues = 256;
 const divisions = 1024;
 
 /**
- * Of each share the least value such that at least this share of the weight is at most this value; NaN where
+ * The least value for each share such that at least this share of the weight is at most this value; NaN where
  * there is none. By counting in ever narrower intervals, since sorting would hold up the page.
  */
 export function quantiles(

@@ -12,7 +12,7 @@ export interface PlotAxis {
   scale: Scale;
   /** Numbers at the axis; undefined: none are written. */
   format?: ((value: number) => string) | undefined;
-  /** What the numbers are, with the unit. */
+  /** The name of the numbers, with the unit. */
   label?: string | undefined;
 }
 
@@ -115,7 +115,7 @@ export class PlotFrame {
     const [content, host] = [this.#content, this.#host];
     const size = { width: host.clientWidth, height: host.clientHeight };
     if (!content || size.width === 0 || size.height === 0) return undefined;
-    // What comes below makes the plot higher.
+    // Words below the axis make the plot higher.
     if (!content.x.format && below.format) size.height += below.label ? 36 : 20;
     const axis = (side: 'x' | 'y'): SvgAxis | undefined => {
       const { scale } = content[side];

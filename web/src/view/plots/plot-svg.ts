@@ -1,7 +1,7 @@
 // A plot as SVG: lines and bars as shapes, numbers as text. What a plot paints on its canvas by itself is written down by a
 // pen that has as much of a canvas as plots use.
 
-/** What plots paint with: a part of a canvas's context. */
+/** The pen that plots paint with: a part of a canvas's context. */
 export type PlotPen = Pick<
   CanvasRenderingContext2D,
   | 'save'
@@ -52,7 +52,7 @@ export class SvgPen implements PlotPen {
   readonly #shapes: string[] = [];
   #clips = 0;
 
-  /** What was painted. */
+  /** The painting as SVG. */
   get svg(): string {
     return this.#shapes.join('');
   }
@@ -135,12 +135,12 @@ export interface SvgTick {
 
 export interface SvgAxis {
   ticks: readonly SvgTick[];
-  /** What the numbers are; '' for nothing. */
+  /** The name of the numbers; '' for none. */
   label: string;
 }
 
 export interface SvgPlot {
-  /** What it shows. */
+  /** The title of its content. */
   title: string;
   /** On the page, in CSS pixels, and on paper, in millimetres. */
   size: { width: number; height: number };

@@ -3,7 +3,7 @@
 
 import { PlotFrame, type PlotLine, svgWidth } from './plot-frame.js';
 
-/** What a plot shows. */
+/** The content of a plot. */
 export interface ProfileContent {
   /** Where the stations are, ascending. */
   at: ArrayLike<number>;
@@ -13,11 +13,11 @@ export interface ProfileContent {
   high: number;
   /** Writes a value at an axis. */
   format: (value: number) => string;
-  /** What is at a station, in words. */
+  /** The values at a station, in words. */
   words: (station: number) => string;
 }
 
-/** What a plot reports. */
+/** The events of a plot. */
 export interface ProfileEvents {
   /** The cursor is at a station, or nowhere any more. */
   moved(station: number | undefined): void;

@@ -24,23 +24,23 @@ export interface Thresholds {
 
 /** sRGB bytes of what lies where. */
 export interface RegionColours {
-  /** What is thick. */
+  /** The colour of thick points. */
   body: readonly [number, number, number];
-  /** What is thin, with a small girth. */
+  /** The colour of thin points with a small girth. */
   tube: readonly [number, number, number];
-  /** What is thin, with a large girth. */
+  /** The colour of thin points with a large girth. */
   plate: readonly [number, number, number];
 }
 
-/** What the axes are, with the unit. */
+/** The names of the axes, with the unit. */
 export interface ScatterLabels {
-  /** Of the axis to the right. */
+  /** The name of the axis to the right. */
   girth: string;
-  /** Of the axis upwards. */
+  /** The name of the axis upwards. */
   thickness: string;
 }
 
-/** What a plot shows. */
+/** The content of a plot. */
 export interface ScatterContent {
   /** One value for each vertex. */
   girth: ArrayLike<number>;
@@ -50,17 +50,17 @@ export interface ScatterContent {
   weights: Weights;
   /** Whether the axes are logarithmic. */
   log: boolean;
-  /** Of the points, by where they lie. */
+  /** Colours of the points, by where they lie. */
   colours: RegionColours;
   /** Writes a value at an axis. */
   format: (value: number) => string;
-  /** Of both values; '' where it is not known. */
+  /** The unit of both values; '' where it is not known. */
   unit: string;
-  /** What the axes are. */
+  /** The names of the axes. */
   labels: ScatterLabels;
 }
 
-/** What a plot reports. */
+/** The events of a plot. */
 export interface ScatterEvents {
   /** A threshold was moved; `settled` once the hand has let go. */
   moved(thresholds: Thresholds, settled: boolean): void;
