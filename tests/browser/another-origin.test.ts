@@ -35,7 +35,7 @@ afterAll(async () => {
   for (const one of opened) await one.close();
 });
 
-/** What a page does with the kernel of an address: the least girth of a model, or why there is none. */
+/** A page's use of the kernel of an address: the least girth of a model, or why there is none. */
 const script = `
 globalThis.leastGirth = async (address) => {
   try {
@@ -89,7 +89,7 @@ test.each([
   await fieldComplete(page.locator('girth-viewer').first());
   const answer = await least(shared.url);
   expect(answer).toEqual({ mode, least: expect.closeTo(0.131, 2) as number });
-  // Of a large model, another worker makes it ready to be pointed at.
+  // Another worker makes a large model ready to be pointed at.
   await expect.poll(() => shared.requests.join()).toContain('generateMeshBVH.worker');
   const large = page.locator('#large');
   const { x, y } = await placeOnSurface(large, 0.5, 0.5);

@@ -1,4 +1,4 @@
-// What axe objects to on a page.
+// Complaints of axe about a page.
 
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -24,7 +24,7 @@ export async function complaintsOfAxe(
     async ([within, runOnly]) => {
       const { axe } = globalThis as unknown as { axe: typeof Axe };
       const { violations } = await axe.run(within, { runOnly, elementRef: true });
-      /** What a list has scrolled out of its view in part counts as small, for as long as it is there. */
+      /** Items that a list has scrolled out of its view in part count as small, for as long as they are there. */
       const isCutOff = (element: Element | null | undefined): boolean => {
         const list = element?.closest('aside')?.getBoundingClientRect();
         const box = element?.getBoundingClientRect();
@@ -41,7 +41,7 @@ export async function complaintsOfAxe(
   );
 }
 
-/** What it objects to in light; in dark on colours alone, as nothing else differs. */
+/** Complaints in light; in dark about colours alone, as nothing else differs. */
 export const complaintsIn = (
   colorScheme: 'light' | 'dark',
   page: Page,

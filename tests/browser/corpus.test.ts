@@ -20,7 +20,7 @@ const openPage = chromiumForTests();
 let server: StaticServer | undefined;
 afterAll(() => server?.close());
 
-/** Of many files every so manieth: the whole corpus is read by the command's own tests. */
+/** Every so manieth of many files is read: the whole corpus is read by the command's own tests. */
 const share = 4;
 const largest = 3 * 2 ** 20;
 
@@ -38,7 +38,7 @@ interface Outcome {
   info?: object;
 }
 
-/** What `girth info --json` says of each file: a line on one of its two outputs. */
+/** The answer of `girth info --json` for each file: a line on one of its two outputs. */
 function byCommand(files: string[]): Map<string, Outcome> {
   const outcomes = new Map<string, Outcome>();
   for (const file of files) {
@@ -60,7 +60,7 @@ function byCommand(files: string[]): Map<string, Outcome> {
   return outcomes;
 }
 
-/** What the page says, as the command would: what it says besides is left out. */
+/** The page's answer as the command would give it: all else is left out. */
 function asCommandSays(info: MeshInfo, command: object): object {
   const { vertexCount: vertices, faceCount: faces, edgeCount: edges, report } = info;
   const { components, genus, boundaries, area, format, notes } = info;

@@ -14,7 +14,7 @@ import type {
   Tips,
 } from '../../web/src/kernel/index.js';
 
-/** What to serve beside the built element; the page is '/drawn.html'. */
+/** Files to serve beside the built element; the page is '/drawn.html'. */
 export const drawnPages = {
   '/drawn.html': `<!doctype html><meta charset="utf-8"><title>drawn</title>
     <link rel="icon" href="data:,">
@@ -36,7 +36,7 @@ export interface Drawing {
   /** Fields that are done once; asked for again they never are. */
   once?: FieldName[];
   kinds?: number[];
-  /** What is to be said of the fields. */
+  /** A remark on the fields. */
   note?: string;
   tips?: {
     vertices: number[];
@@ -45,7 +45,7 @@ export interface Drawing {
     jump: number;
   }[];
   arcs?: { polyline: number[]; jump: number }[];
-  /** What a smoothed division of the parts would be, per vertex. */
+  /** The part of each vertex in a smoothed division. */
   smoothed?: number[];
 }
 

@@ -60,7 +60,7 @@ afterAll(async () => {
 
 afterEach(() => page.context().close());
 
-/** The same faces, each with three vertices of its own. */
+/** A surface whose faces have three vertices of their own each. */
 function cornersApart(obj: string): string {
   const lines = obj.trim().split('\n');
   const points = lines.filter((line) => line.startsWith('v '));

@@ -70,7 +70,7 @@ async function open(path: string): Promise<void> {
   }
 }
 
-/** What was recorded: what each drawing context has drawn, and what each element has sent, by the time of their frames. */
+/** A record: what each drawing context has drawn, and what each element has sent, by the time of their frames. */
 interface Recorded {
   drawn: number[][];
   moves: number[][];
@@ -292,7 +292,7 @@ test('two that set each other’s cameras come to rest, and nothing goes round',
   expect(rests.map((list) => list.length)).toEqual([1, 1]);
   expect(drawn.filter((frames) => frames.includes(moves[0]![0]!))).toHaveLength(2);
   expectSameView(await viewOf(a), await viewOf(b));
-  // What is set to where it is does nothing.
+  // A camera that is set to where it is does nothing.
   const again = await recorded(() =>
     b.evaluate((element: GirthViewer) => {
       // oxlint-disable-next-line no-self-assign -- a setter

@@ -1,4 +1,4 @@
-// What a user sees of fields, tips and parts: pixels of drawn surfaces with drawn values.
+// Fields, tips and parts as a user sees them: pixels of drawn surfaces with drawn values.
 
 import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
@@ -96,7 +96,7 @@ describe('fields', () => {
       [0.3, 0.5],
       [0.6, 0],
     ] as const;
-    /** Of what is shown at each place, whether it is one end of the colours or the other. */
+    /** Whether the colour at each place is one end of the colours or the other. */
     const ends = async () =>
       (await pixelsAt(viewer, places)).map((pixel) => {
         if (isGrey(pixel)) return 'grey';
@@ -127,7 +127,7 @@ describe('fields', () => {
     expect(await pixelsAt(viewer, places)).toEqual(colours);
     expect(await legend()).toBe(words);
     expect(await viewer.evaluate((element: GirthViewer) => element.shown!.name)).toBe('igf');
-    // What is there at once is shown at once; and another number of it, which never comes, is awaited.
+    // A field that is there is shown at once; and another number of it, which never comes, is awaited.
     await set(viewer, 'field', 'hks');
     await legendSays(viewer, 'Heat');
     const [heat, heatWords] = [await pixelsAt(viewer, places), await legend()];

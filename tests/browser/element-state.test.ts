@@ -1,4 +1,4 @@
-// What a figure shows, as HTML says it and as an object that is kept: pinned loops, tips, parts, camera, controls.
+// The state of a figure, as HTML says it and as an object that is kept: pinned loops, tips, parts, camera, controls.
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -159,7 +159,7 @@ test('what was done by hand is in the state, and JSON brings it to another eleme
   numbers(camera).forEach((number, i) => expect(number).toBeCloseTo(numbers(state.camera)[i]!, 9));
   expect(await pinsOf(b)).toEqual(await pinsOf(a));
 
-  // The same state again brings back what has changed since, though no attribute has.
+  // Setting the state again brings back what has changed since, though no attribute has.
   await b.evaluate(async (viewer: GirthViewer) => {
     viewer.resetView();
     viewer.unpin(viewer.pinned[1]!.id);

@@ -19,7 +19,7 @@ const head =
   '<!doctype html><meta charset="utf-8"><title>element</title><link rel="icon" href="data:,">';
 const script = '<script type="module" src="girth/dist/girth-viewer.js"></script>';
 
-/** Of each attribute that has not any value: a wrong one and a right one. */
+/** A wrong value and a right one of each attribute that does not take any value. */
 const attributes = {
   loading: ['later', 'lazy'],
   unit: ['furlong', 'mm'],

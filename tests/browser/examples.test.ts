@@ -49,7 +49,7 @@ test.each([false, true])('a page with the kernel, isolated: %s', async (isolated
   const narrowest = page.locator('#narrowest');
   await expect.poll(() => narrowest.textContent()).toMatch(/^vertex \d+: 0\.1[23]\d m around$/);
   expect(server.requests.some((path) => path.includes('girth-threads'))).toBe(isolated);
-  // What is for other files and other questions is not fetched.
+  // Modules for other files and other questions are not fetched.
   expect(
     server.requests.filter((path) =>
       /analysis|girth-fields|draco|meshopt|studies|three/.test(path),
@@ -134,7 +134,7 @@ test('an esbuild project with element and kernel, whose workers come from a copi
   }
 });
 
-/** What `webpack` of the command line does, without the package of that; to make it small would take most of the time. */
+/** The work of `webpack` of the command line, without the package of that; to make it small would take most of the time. */
 const runWebpack = `
   import webpack from 'webpack';
   import config from './webpack.config.js';

@@ -1,4 +1,4 @@
-// What is done to the page in Chromium and in other browsers to see how it ends.
+// Faults that are done to the page in Chromium and in other browsers to see how it ends.
 
 /** A script before which memory of WebAssembly modules ends there, in bytes. */
 export const endsAt = (bytes: number): string =>

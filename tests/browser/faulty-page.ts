@@ -16,7 +16,7 @@ import {
 } from './support.js';
 import { fieldComplete } from './viewer-page.js';
 
-/** What is served beside the page. */
+/** Folders that are served beside the page. */
 export const folders = { '/examples/': smallExamples };
 
 export interface Faulty extends OpenPage {
@@ -42,7 +42,7 @@ export function faultyPages(): FaultyPages {
   });
   afterAll(() => server?.close());
   afterEach(async () => {
-    // What the page still fetches when its test is over is no error of the test.
+    // Files that the page still fetches when its test is over are no error of the test.
     await opened?.page.unrouteAll({ behavior: 'ignoreErrors' });
     await opened?.context.close();
     opened = undefined;

@@ -326,7 +326,7 @@ describe('what is written', () => {
     const picture = await exported('picture', 'png');
     expect(picture.bytes.subarray(1, 4).toString()).toBe('PNG');
 
-    // What we write we read: the same surface, and from PLY the same bits.
+    // Files that we write we read: the same surface, and from PLY the same bits.
     const ply = await exported('field', 'ply');
     const glb = await exported('field', 'glb');
     const before = await viewer.evaluate(({ info }: GirthViewer) => info!);

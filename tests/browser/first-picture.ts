@@ -1,4 +1,4 @@
-// What a visitor waits for before the page shows its first surface: how much is fetched until then.
+// The wait of a visitor before the page shows its first surface: how much is fetched until then.
 
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
@@ -55,6 +55,6 @@ export async function fetchedBeforePicture(
   });
 }
 
-/** Of some files together. */
+/** The bytes of some files together. */
 export const bytesOf = (files: readonly Fetched[]): number =>
   files.reduce((sum, { bytes }) => sum + bytes, 0);

@@ -20,7 +20,7 @@ let page: Page;
 onKernelPage(openPage, 'pool', (opened) => (page = opened));
 afterAll(() => rmSync(scratch, { recursive: true }));
 
-/** What the command writes of a model that is cut at its first neck. */
+/** The files that the command writes of a model that is cut at its first neck. */
 function byCommand(
   model: string | Buffer,
   ending: string,
@@ -230,7 +230,7 @@ test('parts keep the colours, texture coordinates and fields of their file, and 
             [...bytes].map((b) => String.fromCharCode(b)).join(''),
           );
         }
-        // What the file has goes with its surface only.
+        // Content of the file goes with its surface only.
         const [plain] = await (await mesh.remesh(300)).exportCut([], 'ply');
         kernel.dispose();
         return { files, plain: String.fromCharCode(...plain!.slice(0, 300)) };

@@ -26,7 +26,7 @@ const openPage = chromiumForTests();
 
 afterAll(() => rmSync(scratch, { recursive: true }));
 
-/** What the command writes about a model, given as OBJ. */
+/** The file that the command writes about a model, given as OBJ. */
 function written(text: string, ending: string, ...words: string[]): string {
   const [model, output] = [join(scratch, 'model.obj'), join(scratch, `output.${ending}`)];
   writeFileSync(model, text);

@@ -78,7 +78,7 @@ test('limbs are those of the command, bit for bit, and so are the files', async 
     limb.profile.forEach((station, k) => {
       const { distance, ring, median, least } = their.profile[k]!;
       expect([station.distance, station.ring]).toEqual([distance, ring]);
-      // What is no number is null in JSON, and that is how it leaves the page.
+      // NaN is null in JSON, and leaves the page as null.
       expect([station.median, station.least]).toEqual([median, least]);
     });
     expect(limb.narrowest).toBeCloseTo(8, 9);
@@ -122,7 +122,7 @@ test('the axis of a limb is that of the command, and its files are, without meas
     for (const format of ['csv', 'json', 'obj', 'glb'] as const) {
       files.push(latin(await mesh.exportProfile(axis, format)));
     }
-    // What is written is what is handed over.
+    // The axis that is handed over is written as it is.
     const [first] = axis.loops;
     const changed = { ...axis, loops: [{ ...first!, girth: 1.5 }] };
     const one = latin(await mesh.exportProfile(changed, 'csv'));

@@ -35,7 +35,7 @@ interface WrittenHandle extends WrittenLoop {
   kind: string;
 }
 
-/** What the command finds of a model. */
+/** The loops that the command finds of a model. */
 function byCommand<T>(name: 'necks' | 'handles', model: string): T[] {
   const [input, output] = [join(scratch, `${name}.obj`), join(scratch, `${name}.json`)];
   writeFileSync(input, model);
@@ -43,7 +43,7 @@ function byCommand<T>(name: 'necks' | 'handles', model: string): T[] {
   return (JSON.parse(readFileSync(output, 'utf8')) as Record<string, T[]>)[name]!;
 }
 
-/** What the command prints or writes of a model. */
+/** The text that the command prints or writes of a model. */
 function commandOn(model: string, name: string, ...words: string[]): string {
   const input = join(scratch, 'model.obj');
   writeFileSync(input, model);
@@ -250,7 +250,7 @@ test('short handles are taken away as by the command', async () => {
       const { positions } = geometry;
       const before = mesh.info;
       repaired.dispose();
-      // What it was made of lives on.
+      // The mesh that it was made of lives on.
       const { handles } = await mesh.handles();
       kernel.dispose();
       return {

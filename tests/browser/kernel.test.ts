@@ -303,7 +303,7 @@ for (const mode of ['threads', 'pool'] as const) {
           );
           const { faceCount, genus } = remeshed.info;
           const loop = await remeshed.loop(0);
-          // Those that keep the shape best are longer where it is bent one way only.
+          // Triangles that keep the shape best are longer where it is bent one way only.
           const longest = async (even: boolean) => {
             const { geometry } = await mesh.remesh(400, { even });
             const { positions, indices } = geometry;

@@ -1,4 +1,4 @@
-// What blocks the page. Chromium draws in software here and reads every frame back on the page's own
+// Tasks that block the page. Chromium draws in software here and reads every frame back on the page's own
 // thread: tasks of 100 ms and more that no real graphics card causes. So drawing itself is left out.
 
 import type { Page } from 'playwright-core';

@@ -267,7 +267,7 @@ export function beside(one: string, other: string, distance: number): string {
   return objOf(points, faces);
 }
 
-/** The same surface as glTF, its numbers in a file that is called `buffer`. */
+/** A surface as glTF, its numbers in a file that is called `buffer`. */
 export function gltf(obj: string, buffer: string): { json: string; bin: Uint8Array<ArrayBuffer> } {
   const { positions, indices } = arraysOf(obj);
   const places = new Float32Array(positions);
@@ -303,7 +303,7 @@ export function gltf(obj: string, buffer: string): { json: string; bin: Uint8Arr
   return { json, bin };
 }
 
-/** The same surface as binary STL, every corner for itself. */
+/** A surface as binary STL, every corner for itself. */
 export function stl(obj: string): Uint8Array<ArrayBuffer> {
   const { positions, indices } = arraysOf(obj);
   const count = indices.length / 3;
@@ -316,24 +316,24 @@ export function stl(obj: string): Uint8Array<ArrayBuffer> {
   return new Uint8Array(view.buffer);
 }
 
-/** The same faces, every coordinate of every vertex put elsewhere. */
+/** A surface with every coordinate of every vertex put elsewhere. */
 function placed(obj: string, place: (coordinate: number, axis: number) => number): string {
   return obj.replace(/^v (.*)$/gm, (_, numbers: string) =>
     ['v', ...numbers.split(' ').map((number, axis) => place(Number(number), axis))].join(' '),
   );
 }
 
-/** The same surface elsewhere. */
+/** A surface moved elsewhere. */
 export function moved(obj: string, by: Point): string {
   return placed(obj, (coordinate, axis) => coordinate + by[axis]!);
 }
 
-/** The same shape, larger. */
+/** A shape made larger. */
 export function scaled(obj: string, by: number): string {
   return placed(obj, (coordinate) => by * coordinate);
 }
 
-/** The same surface, its faces turned over. */
+/** A surface with its faces turned over. */
 export function turnedOver(obj: string): string {
   return obj.replace(/^f (\S+) (\S+) (\S+)$/gm, 'f $1 $3 $2');
 }
@@ -370,6 +370,6 @@ export function sheet(size: number, sides: 1 | 2): string {
   }
   const front = objOf(points, faces);
   if (sides === 1) return front;
-  // Of its own vertices: they are welded along the rim as well as inside.
+  // Each side has its own vertices: they are welded along the rim as well as inside.
   return beside(front, turnedOver(front), 0);
 }

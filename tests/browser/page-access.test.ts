@@ -13,9 +13,9 @@ const openBuilt = builtPage();
 interface Look {
   /** A selector of what is new on the page. Default: all of it. */
   within?: string;
-  /** What the pictures are called. Default: none are taken. */
+  /** The name of the pictures. Default: none are taken. */
   name?: string;
-  /** What is scrolled into view for them. */
+  /** The place that is scrolled into view for them. */
   shown?: Locator;
 }
 
@@ -27,7 +27,7 @@ async function lookAt(page: Page, { within, name, shown }: Look = {}): Promise<v
   for (const colorScheme of ['dark', 'light'] as const) {
     await page.emulateMedia({ colorScheme });
     await framesPass(page);
-    // What has been scrolled under the field's row counts as small to axe, for as long as it is there.
+    // Controls that have been scrolled under the field's row count as small to axe, for as long as they are there.
     await page.locator('aside').evaluate((aside) => aside.scrollTo(0, 0));
     expect(await complaintsIn(colorScheme, page, within), colorScheme).toEqual([]);
     if (!name) continue;

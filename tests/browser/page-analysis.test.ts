@@ -185,7 +185,7 @@ test('the print check finds the command’s places, pictured and reported', asyn
   expect(asked.filter((address) => !address.startsWith('data:'))).toEqual([]);
   await report.close();
 
-  // Of the tubes nothing fails any more; and a number that is none is said to be none.
+  // No tube fails any more; and a number that is none is said to be none.
   await page.locator('#min-tube').fill('0.001');
   await page.locator('#min-wall').fill('');
   await page.locator('#check').click();

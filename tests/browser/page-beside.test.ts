@@ -67,7 +67,7 @@ test('beside an example that has turned by itself, both are seen whole', async (
   // Far enough to be wider, or higher, than at first.
   const hasTurned = async (): Promise<boolean> => (await viewOf(first))[1]! < azimuth! - 0.6;
   await expect.poll(hasTurned, { timeout: 60_000 }).toBe(true);
-  // What turns by itself is nothing that was done.
+  // A turn by itself is nothing that was done.
   expect(await page.evaluate(() => location.hash)).toBe('#model=cup');
   await openBeside(pair);
   await framesPass(page);

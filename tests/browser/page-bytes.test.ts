@@ -22,7 +22,7 @@ test('before the first surface no more is fetched than it takes', async () => {
   expect(all).toBeLessThanOrEqual(mostBeforePicture);
   const names = files.map(({ path }) => path);
   expect(names.some((path) => /chair\.glb$/.test(path))).toBe(true);
-  // What most visitors never ask for waits until they do.
+  // Scripts that most visitors never ask for wait until they do.
   const later = /palette|beside|tour|project|compare-panel|draco|studies|snapshot|link-/;
   expect(names.filter((path) => later.test(path))).toEqual([]);
 });

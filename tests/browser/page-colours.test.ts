@@ -103,7 +103,7 @@ test('a logarithmic map is kept in the link', async () => {
 test('a panel opened while the girth is computed leaves the colours that are there', async () => {
   const { page, viewer } = await openBuilt();
   await showRod(page, viewer);
-  // What parts are made of is not there yet: it is asked for now.
+  // The fields that parts are made of are not there yet: they are asked for now.
   await viewer.evaluate((element: GirthViewer) => {
     const fieldOf = element.shown!.name;
     element.setAttribute('field', 'parts');

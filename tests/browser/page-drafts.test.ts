@@ -21,7 +21,7 @@ beforeEach(async () => {
   await fieldComplete(viewer);
 });
 
-/** What may happen on the page at any time, each until its consequences are there. */
+/** Events that may happen on the page at any time, each until its consequences are there. */
 const happenings: Record<string, () => Promise<unknown>> = {
   'a late toggle of every panel': () =>
     page.evaluate(() => {

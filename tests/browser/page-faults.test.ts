@@ -1,4 +1,4 @@
-// What browsers, networks and people do wrong: each ends in a working page, or in a message with a way out.
+// Faults of browsers, networks and people: each ends in a working page, or in a message with a way out.
 
 import { mkdtempSync, readFileSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -373,7 +373,7 @@ describe('on one page, one after the other', () => {
     letGo();
     await comes;
     await framesPass(page);
-    // What is looked into after it comes after it.
+    // A zip that is looked into after it comes after it.
     await drop(page, zipped('next'));
     await modelIs(page, 'next.obj');
     expect(await names.jsonValue()).toEqual([cube.name, 'next.obj']);

@@ -134,7 +134,7 @@ test('two fields in one: difference and ratio, with legend, plot, link, undo and
   await page.locator('[popovertarget=export]').click();
   expect(await page.locator('#export-name').inputValue()).toBe('igf-sdf');
   await page.keyboard.press('Escape');
-  // What is compared stays, the first field is another.
+  // The compared field stays, the first field is another.
   await page.locator('#field-name').selectOption('thickness');
   await expect.poll(title).toMatch(/^Thickness \u2212 shape diameter, m/);
   await page.getByRole('button', { name: 'Undo' }).click();

@@ -131,7 +131,7 @@ test('an octopus with three loops at 300 dpi, and the same view of another model
   // And two in the list of sizes, which opens outside of the page.
   expect(await clicks()).toBe(13);
 
-  // The same in lines: the outline, as wide as the surface is seen, with a loop; and the plot that is seen.
+  // The figure in lines: the outline, as wide as the surface is seen, with a loop; and the plot that is seen.
   const drawn = async (entry: number) => {
     await page.getByRole('button', { name: 'Export' }).click();
     const coming = page.waitForEvent('download');
@@ -194,7 +194,7 @@ test('an octopus with three loops at 300 dpi, and the same view of another model
   await page.locator('#picture-millimetres').fill('60');
   expect(await pictureOf(page)).toMatchObject({ width: 709, density: [11811, 11811] });
 
-  // What the browser itself prints: words and a figure for paper, and nothing that is for hands.
+  // The print of the browser itself: words and a figure for paper, and nothing that is for hands.
   const asPrinted = () =>
     page.evaluate(() => {
       dispatchEvent(new Event('beforeprint'));

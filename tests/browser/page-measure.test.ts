@@ -18,7 +18,7 @@ const prism = {
   bytes: readFileSync(join(repository, 'tests/data/prism_seams.glb')),
 };
 
-/** Of side 2: vertex k is where the bits of k say. */
+/** A cube of side 2: vertex k is where the bits of k say. */
 const cube = [
   ...[0, 1, 2, 3, 4, 5, 6, 7].map((k) => `v ${k & 2 ? 2 : 0} ${k & 1 ? 2 : 0} ${k & 4 ? 2 : 0}`),
   ...['1 2 4 3', '5 7 8 6', '1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'].map((face) => `f ${face}`),

@@ -726,7 +726,7 @@ test('a link shows the bottleneck of two points from where it was seen; points t
   await page.goto(`${address}/#${seen}&cut=at:0.2&rims=1&panel=necks`);
   await expect.poll(() => parts.count()).toBe(3);
   expect(await girthInput.inputValue()).toBe('0.2');
-  // What is pinned, and is let go again, is shown cut no longer.
+  // A loop that was pinned, and is let go again, cuts no longer.
   await page.goto(`${address}/#${seen}&loops=${known.vertex}&cut=pin&panel=necks`);
   await expect.poll(() => parts.count()).toBe(2);
   await viewer.evaluate((element: GirthViewer) => element.unpin(element.pinned[0]!.id));

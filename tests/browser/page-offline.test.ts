@@ -125,7 +125,7 @@ test('what was read of the documentation can be read again, and searched', async
   await expect
     .poll(() => page.locator('form.search [role=status]').textContent())
     .toMatch(/^\d+ places$/);
-  // What was not read is not there.
+  // A page that was not read is not there.
   await expect(page.goto(`${documentation}/girth.html`)).rejects.toThrow();
 });
 
@@ -239,7 +239,7 @@ test('the manifest can be installed: its icons are as large as it says, its form
   }
   const accepted = Object.values(manifest.file_handlers[0]!.accept).flat();
   const chosen = (await page.locator('#file').getAttribute('accept'))!.split(',');
-  // What is no model by itself is not opened by itself.
+  // Files that are no models by themselves are not opened by themselves.
   expect(accepted.sort()).toEqual(chosen.filter((one) => !/bin|zip/.test(one)).sort());
 });
 

@@ -88,7 +88,7 @@ test('what is stopped while saddles are looked for stays as it was', async () =>
   await slideTo(slider, 40);
   await slideTo(slider, 20);
   await expect.poll(() => viewer.getAttribute('persistence'), { timeout: 60_000 }).toBe('1%');
-  // Of a colouring that saddles do not change there is no slider.
+  // A colouring that saddles do not change has no slider.
   await page.locator('#field-name').selectOption('sdf');
   expect(await slider.isVisible()).toBe(false);
 });

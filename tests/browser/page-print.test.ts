@@ -36,7 +36,7 @@ test('a model of one unit: its size is questioned, and it prints once it is larg
   await expect
     .poll(() => words.textContent())
     .toMatch(/^0\.500\u202fmm tall, 50% of the file’s size/);
-  // What was pinned is there in the other size, half as long.
+  // The pinned loop is there in the other size, half as long.
   await expect.poll(pinned).toEqual([{ name: 'corner', length: before!.length / 2 }]);
   await page.locator('#print-preset').selectOption('Filament (FDM), plastic');
   expect(await page.locator('#print-source a').getAttribute('href')).toMatch(/^https:/);
@@ -69,7 +69,7 @@ test('a model of one unit: its size is questioned, and it prints once it is larg
   expect(await page.locator('#min-tube').inputValue()).toBe('0.3');
   expect(await answer.textContent()).toMatch(/^Passes/);
   await expect.poll(() => fragment(page)).toContain('shown=cm');
-  // What is no length leaves no older answer.
+  // A word that is no length leaves no older answer.
   await page.locator('#min-wall').fill('thin');
   await page.keyboard.press('Enter');
   await expect.poll(() => answer.textContent()).toContain('“thin” is not a length');

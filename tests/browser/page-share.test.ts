@@ -1,4 +1,4 @@
-// What the page gives to others: link, element and frame, each tried on another origin than the page's.
+// Things that the page gives to others: link, element and frame, each tried on another origin than the page's.
 
 import type { BrowserContext, Frame, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
@@ -20,7 +20,7 @@ beforeAll(async () => {
   host = await serve(site, {
     policy: strictPolicy,
     folders: { '/examples/': smallExamples },
-    // What other origins may read.
+    // Files that other origins may read.
     shared: /\.glb$/,
   });
 });
@@ -54,7 +54,7 @@ const state =
 const stateOf = (where: Page | Frame): Promise<ViewerState> =>
   where.locator('girth-viewer').evaluate(({ state }: GirthViewer) => state);
 
-/** What is on the screen, whatever names the model. */
+/** The state on the screen, whatever names the model. */
 async function seen(where: Page | Frame): Promise<ViewerState> {
   const { src, turn, 'keep-view': keeps, bottleneck, ...rest } = await stateOf(where);
   // The page itself draws it by its panel.

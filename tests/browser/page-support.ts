@@ -1,4 +1,4 @@
-// What the tests of the page share: opening it, dropping files on it, and waiting for models.
+// Helpers of the page's tests: opening it, dropping files on it, and waiting for models.
 
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -80,7 +80,7 @@ export async function picture(page: Page, name: string): Promise<void> {
   if (picturesWanted) await page.screenshot({ path: join(pictures, name) });
 }
 
-/** What a page is looked at on. */
+/** The screen that a page is looked at on. */
 export interface Screen {
   width: number;
   height: number;
@@ -170,7 +170,7 @@ export const cutWords = (page: Page): Promise<string[]> =>
       ),
   );
 
-/** What is behind the '#' of the address. */
+/** The part of the address behind '#'. */
 export function fragment(page: Page): string {
   return decodeURIComponent(new URL(page.url()).hash.slice(1));
 }

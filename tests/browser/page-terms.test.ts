@@ -8,7 +8,7 @@ const openBuilt = builtPage();
 
 const explanation = (page: Page): Locator => page.locator('.explained');
 
-/** What is explained now: the title, two lines, and a picture that was really drawn. */
+/** The term that is explained now: the title, two lines, and a picture that was really drawn. */
 async function explained(page: Page): Promise<{ title: string; lines: string[] }> {
   await explanation(page).waitFor({ state: 'visible' });
   const picture = explanation(page).locator('img');

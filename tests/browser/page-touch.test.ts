@@ -67,7 +67,7 @@ test('a finger across the histogram marks a range; one along the page scrolls it
   await drag([box.x + 0.5 * box.width, y], [box.x + 0.5 * box.width, y - 150]);
   await expect.poll(() => aside.evaluate((element) => element.scrollTop)).toBeGreaterThan(30);
   expect(await caption.textContent()).toBe(marked);
-  // What the surface shows stays in sight.
+  // The name of the field on the surface stays in sight.
   const [side, name] = [(await aside.boundingBox())!, page.locator('#field-name')];
   await aside.evaluate((element) => element.scrollTo(0, element.scrollHeight));
   expect((await page.locator('#print-panel').boundingBox())!.y).toBeGreaterThan(side.y);

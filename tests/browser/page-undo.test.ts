@@ -1,4 +1,4 @@
-// What was changed by hand can be undone and redone: fields, colours, loops, the camera, and the model itself; and saved as
+// Changes by hand can be undone and redone: fields, colours, loops, the camera, and the model itself; and saved as
 // a project, which opens as it was.
 
 import { execFileSync } from 'node:child_process';
@@ -132,7 +132,7 @@ test('a project opens as it was, and nothing of it is computed again', async () 
   await page.getByRole('button', { name: 'Redo' }).click();
   await modelIs(page, 'cup.glb');
 
-  // What was saved by a newer version is said to be, and its model is opened all the same.
+  // A project of a newer version is said to be one, and its model is opened all the same.
   const entries = unzipSync(bytes);
   const newer = zipSync({
     ...entries,

@@ -143,7 +143,7 @@ for (const isolated of [true, false]) {
       await progress.waitFor();
       expect(await words.isVisible()).toBe(false);
       const second = await cancel();
-      // The same bits, as far as both have come.
+      // Both have the same bits, as far as they have come.
       first.forEach((value, vertex) => {
         if (!Number.isNaN(value)) expect(second[vertex]).toBe(value);
       });

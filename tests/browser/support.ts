@@ -1,4 +1,4 @@
-// What every browser test needs: a static server with the headers under test, and Chromium.
+// Tools of every browser test: a static server with the headers under test, and Chromium.
 
 import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
@@ -43,7 +43,7 @@ export interface ServeOptions {
   pages?: Record<string, string>;
   /** Other folders, by the path that each is served below, for example '/data/'. */
   folders?: Record<string, string>;
-  /** What is answered in place of a file of a folder, where it gives anything. */
+  /** The answer in place of a file of a folder, where there is one. */
   answers?: (path: string, body: Buffer) => Answer | undefined;
 }
 
@@ -171,7 +171,7 @@ export const pictures = join(repository, 'build/pictures');
 export const allPixels = { deviceScaleFactor: 1 } as const;
 
 /**
- * Of every context. A quarter of the pixels take five sixths of the processor time, without a graphics card. What a service worker
+ * Options of every context. A quarter of the pixels take five sixths of the processor time, without a graphics card. What a service worker
  * keeps would come before what a test serves.
  */
 const usual = {
@@ -184,7 +184,7 @@ export interface OpenPage {
   browser: Browser;
   context: BrowserContext;
   page: Page;
-  /** What went wrong on it that nobody caught, as it happens. */
+  /** Complaints of it that nobody caught, as they happen. */
   complaints: string[];
 }
 
@@ -215,7 +215,7 @@ export function chromiumForTests(
   };
 }
 
-/** What went wrong on a page that nobody caught: errors, console errors, violations of the policy. */
+/** Complaints of a page that nobody caught: errors, console errors, violations of the policy. */
 function complaintsOf(page: Page): string[] {
   const complaints: string[] = [];
   page.on('pageerror', (error) => complaints.push(`uncaught: ${error.message}`));
@@ -227,7 +227,7 @@ function complaintsOf(page: Page): string[] {
 
 export interface LentPage {
   page: Page;
-  /** What went wrong on it that nobody caught, as it happens. */
+  /** Complaints of it that nobody caught, as they happen. */
   complaints: string[];
   /** Closes it and what it has opened, and clears what they have stored and been permitted. */
   giveBack: () => Promise<void>;

@@ -1,4 +1,4 @@
-// What the tests of the page and of the element share: finding places on a surface, and asking the
+// Helpers of the tests of page and element: finding places on a surface, and asking the
 // command for the truth.
 
 import { execFileSync } from 'node:child_process';
@@ -122,7 +122,7 @@ export async function hover(page: Page, viewer: Locator, x: number, y: number): 
   }));
 }
 
-/** Of each label that a selector finds, the share that lies over the drawn surface. */
+/** The share of each label that a selector finds that lies over the drawn surface. */
 export const coveredShares = (viewer: Locator, labels: string): Promise<number[]> =>
   viewer.evaluate(async (element: GirthViewer, labels) => {
     const box = element.getBoundingClientRect();

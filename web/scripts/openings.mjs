@@ -7,8 +7,7 @@ import { filesBelow } from './stale.mjs';
 
 /** Folders whose comments are checked. The others follow, folder by folder. */
 const folders = [
-  'cpp',
-  ...['tests/bench', 'tests/fuzz', 'tests/node', 'tests/python'],
+  ...['cpp', 'tests'],
   ...['web/docs', 'web/examples', 'web/scripts'],
   ...['web/src/kernel', 'web/src/node', 'web/src/view'],
 ];

@@ -92,7 +92,7 @@ test('fifty are scrolled through: none is blank, and eight contexts suffice', as
       .locator('girth-viewer')
       .nth(number)
       .evaluate((viewer: GirthViewer) => !!viewer.shown);
-  // What nobody has come near has nothing but its small script.
+  // Elements that nobody has come near have nothing but their small script.
   await expect.poll(() => isDrawn(0)).toBe(true);
   expect(await isDrawn(count - 1)).toBe(false);
   for (let number = 0; number < count; number += 6) {
@@ -102,7 +102,7 @@ test('fifty are scrolled through: none is blank, and eight contexts suffice', as
   await page.locator('girth-viewer').last().scrollIntoViewIfNeeded();
   await expect.poll(() => isDrawn(count - 1)).toBe(true);
   await expect.poll(() => coloursOf(count - 1)).toBeGreaterThan(200);
-  // Those that gave their context away are drawn again.
+  // Elements that gave their context away are drawn again.
   for (const number of [0, 25]) {
     await page.locator('girth-viewer').nth(number).scrollIntoViewIfNeeded();
     await expect.poll(() => coloursOf(number)).toBeGreaterThan(200);

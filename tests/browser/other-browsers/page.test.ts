@@ -27,7 +27,7 @@ interface Fault extends ServeOptions {
   first?: string;
 }
 
-/** What the page says and shows. */
+/** The words and pictures of the page. */
 interface Seen {
   model: string;
   /** Whether the whole field is there. */

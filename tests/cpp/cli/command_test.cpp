@@ -231,7 +231,7 @@ TEST_F(Command, tipsPartsAndFieldsOfASurface) {
 
 TEST_F(Command, partsEndsWithFourWhereSomethingIsTooThin) {
   const std::string model = kData + "/prism.obj";
-  // What cannot be looked at does not pass.
+  // A body that cannot be checked does not pass.
   write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const Outcome sheet = run({"parts", path("sheet.obj"), "--min-wall", "0.1"});
   EXPECT_EQ(sheet.exitCode, 2);
@@ -291,7 +291,7 @@ TEST_F(Command, scaleHeightAndUnits) {
     EXPECT_EQ(text.output.find("e+"), std::string::npos) << text.output;
   }
 
-  // What the file states, and what is shown.
+  // The unit that the file states, and the one that is shown.
   const Json shown = info({glb, "--in", "mm"});
   EXPECT_EQ(shown["unit"], "millimetre");
   EXPECT_NEAR(shown["area"].get<double>(), 1e6 * metres, 1e-6 * 1e6 * metres);

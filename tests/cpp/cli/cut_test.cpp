@@ -261,7 +261,7 @@ TEST_F(Command, partsKeepColoursAndFields) {
   }
   EXPECT_GE(old, known.size() / 2);
   EXPECT_GE(made, 8u);
-  // The same numbers in the other formats.
+  // Other formats have these numbers too.
   for (const std::string ending : {"glb", "obj"}) {
     const std::string file = path("parts." + ending);
     ASSERT_EQ(run({"cut", model, "--at", std::to_string(level), "-o", file}).exitCode, 0);
@@ -393,7 +393,7 @@ TEST_F(Command, partsOfGltfKeepAttributes) {
         const auto found = known.find({x, y, z});
         ++(found != known.end() ? old : made);
         for (std::size_t k = 0; k < width; ++k) {
-          // The same bits at the file's vertices.
+          // Values at the file's vertices keep their bits.
           if (found != known.end()) {
             EXPECT_EQ(values[width * v + k], given[width * found->second + k]);
           }

@@ -1,4 +1,4 @@
-// What the command prints about itself and about slips.
+// Words of the command about itself and about slips.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What all commands that read models have in common: the options on how a model is prepared, and
-// how many models they take.
+// Options that all commands that read models have in common: the options on how a model is
+// prepared, and how many models they take.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -16,7 +16,7 @@ using Helps = std::map<std::string, std::string>;
 
 class ModelOptions : public Command {
  protected:
-  /// Of all commands whose usage has a model or a folder of models.
+  /// The helps of all commands whose usage has a model or a folder of models.
   Helps readingCommands() const {
     Helps helps;
     for (const std::string& name : namesIn(run({"help"}).output)) {

@@ -1,4 +1,4 @@
-// What necks, handles, bottlenecks, profiles and cuts answer where there is little to find: open
+// Answers of necks, handles, bottlenecks, profiles and cuts where there is little to find: open
 // surfaces, several components, surfaces that cannot be oriented, two necks that touch, and odd
 // thresholds.
 #include <cmath>

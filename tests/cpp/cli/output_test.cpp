@@ -1,4 +1,4 @@
-// What stands on disk before, after and instead of an output.
+// Files on disk before, after and instead of an output.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -110,7 +110,7 @@ TEST_F(Interrupted, resumingGivesTheSameBits) {
     ASSERT_EQ(stopped({"igf", model, "--threads", "1", "-o", output}).exitCode, 3);
     ASSERT_TRUE(fs::exists(path("tube.partial.csv")));
     EXPECT_FALSE(fs::exists(output));
-    // What is left is neither overwritten nor taken for that of another run.
+    // A file that is left is neither overwritten nor taken for that of another run.
     EXPECT_EQ(run({"igf", model, "-o", output}).exitCode, 1);
     const std::string other = write("other.obj", longTube(69, 12));
     for (const std::vector<std::string>& arguments :

@@ -32,7 +32,7 @@ std::vector<Documented> documentedOutputs() {
   return outputs;
 }
 
-/// What stands before the first line's end, between commas.
+/// The words of the first line between commas.
 std::vector<std::string> headerOf(const std::string& csv) {
   std::istringstream line(linesOf(csv).at(0));
   std::vector<std::string> names;

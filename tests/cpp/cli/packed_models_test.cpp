@@ -47,7 +47,7 @@ std::string gzipped(const std::string& content) {
 
 struct Packed {
   std::string name, content;
-  /// What the directory claims; 0: the truth.
+  /// The size that the directory claims; 0: the truth.
   std::uint64_t size{0};
 };
 

@@ -43,10 +43,10 @@ std::string spikedPrism() {
   return text;
 }
 
-/// Of a vertex half-way up the spike, which unfolds to a cone.
+/// Measures at a vertex half-way up the spike, which unfolds to a cone.
 struct Spike {
   double slant{std::hypot(0.05, 0.05, 0.25)};
-  /// Of all four faces at the apex.
+  /// The angle of all four faces at the apex.
   double angle{8 * std::atan(0.05 / std::hypot(0.05, 0.25))};
   /// Half the loop round the spike, and the distance of the apex, where the tip is filled.
   double birth{slant * std::sin(angle / 2)}, death{slant};
@@ -75,7 +75,7 @@ TEST_F(Persistence, passesOverASpike) {
   EXPECT_GT(passed[12], 1);
   for (std::size_t v = 0; v < girth.size(); ++v) EXPECT_GE(passed[v], girth[v]);
 
-  // The same with units and shares. The area: the prism, its end, the spike on the other.
+  // Persistence with units and shares. The area: the prism, its end, the spike on the other.
   const double area = 4 * 20 + 2 - 0.04 + 4 * 0.1 * std::hypot(0.1, 0.5);
   const std::string percent = std::to_string(100 * 1.1 * lasting / std::sqrt(area)) + "%";
   EXPECT_EQ(girthOf({"--persistence", percent}), passed);

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 class Resources : public ModelFolder {
  protected:
-  /// What `girth info` says of a model whose buffer has that address.
+  /// The output of `girth info` for a model whose buffer has that address.
   std::string infoWith(const std::string& uri) const {
     const std::string model = gltfWith(uri);
     const std::string command = quoted(girthCommand()) + " info " + quoted(model) + " 2>&1";

@@ -1,4 +1,4 @@
-// What a program of somebody else uses of the headers, templates instantiated, for compilers that
+// A program of somebody else that uses the headers, templates instantiated, for compilers that
 // take every warning for an error. strict.sh puts all public headers before it.
 #include <girth/girth.h>
 #include <girth/io/load_mesh.h>

@@ -1,4 +1,4 @@
-// What is seen of the two sides of saddles, beside the barcode, which knows from all maxima when
+// The two sides of saddles as they are seen, beside the barcode, which knows from all maxima when
 // they die.
 #include "solver/persistence/ascent.h"
 
@@ -74,7 +74,7 @@ class Comparison {
  public:
   explicit Comparison(const Unfolding& unfolding) : unfolding_(&unfolding) {}
 
-  /// Of the saddles up to a distance, with faces forgotten up to `kept`.
+  /// Compares the saddles up to a distance, with faces forgotten up to `kept`.
   void compare(const SurfacePoint& source, const std::vector<SaddleBar>& bars, double kept,
                double last) {
     Propagation propagation(*unfolding_);

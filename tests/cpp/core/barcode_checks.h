@@ -15,11 +15,12 @@ namespace girth::test {
 int expectSampledBarcode(const SurfaceMesh& mesh, TextbookMmp& textbook, const SurfacePoint& point,
                          const Barcode& barcode, double spacing);
 
-/// The same at every step-th vertex, with samples as far apart as a share of the greatest distance.
-/// Bars that were long enough.
+/// Checks barcodes at every step-th vertex, with samples as far apart as a share of the greatest
+/// distance. Bars that were long enough.
 int expectSampledBarcodes(const SurfaceMesh& mesh, Index first, Index step, double share);
 
-/// The same on the random surface of a seed, at so many of its vertices, spread over it, 0 for all.
+/// Checks barcodes on the random surface of a seed, at so many of its vertices, spread over it, 0
+/// for all.
 int expectSampledBarcodes(std::uint64_t seed, Index vertices, double share);
 
 /// Checks on the random surface of a seed, at every vertex, that the persistent girth is to the bit

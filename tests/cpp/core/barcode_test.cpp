@@ -125,7 +125,7 @@ TEST(Barcode, IsForeseenFromTheSidesOfSaddles) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) expectPersistentGirths(seed);
 }
 
-// The same on animals, at vertices where one of the two was wrong once.
+// Animals, at vertices where one of the two was wrong once.
 TEST(Barcode, IsForeseenOnRealModels) {
   if (!corpusIsThere()) GTEST_SKIP() << "skipped: no corpus";
   const struct {

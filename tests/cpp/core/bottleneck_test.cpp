@@ -33,7 +33,7 @@ Bottleneck between(const SurfaceMesh& mesh, const SurfacePoint& from, const Surf
   return found.ok() ? found.value() : Bottleneck{};
 }
 
-/// What must hold for every answer.
+/// Checks rules that must hold for every answer.
 void expectConsistent(const SurfaceMesh& mesh, const Bottleneck& found, const SurfacePoint& from,
                       const SurfacePoint& to) {
   GirthSolver solver(mesh);

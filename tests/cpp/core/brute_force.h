@@ -23,7 +23,7 @@ class BruteForce {
   /// Length of the shortest geodesic to a point, in the plane of its face (corner 0 at the origin,
   /// side 0 along x); infinite beyond `longest`.
   double distanceTo(Index face, double x, double y) const;
-  /// The same for a surface point.
+  /// The distance to a surface point.
   double distanceTo(const SurfacePoint& point) const;
 
   /// A geodesic loop through the source: straight everywhere but there.

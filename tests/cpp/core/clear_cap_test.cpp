@@ -105,7 +105,7 @@ TEST(ClearCap, isTheLeastOfAllTriangulationsThatCrossNothing) {
 }
 
 TEST(ClearCap, doesNotJoinWhatIsJoined) {
-  // Of a square the shorter diagonal is an edge of another face, beside it.
+  // The shorter diagonal of a square is an edge of another face, beside it.
   const std::vector<Vec3> places{
       {0, 0, 0}, {1, 0, 0.1}, {1.2, 1.2, 0}, {0, 1, 0.1}, {0.5, 0.5, -2}};
   const std::vector<Vertex> square{Vertex(0), Vertex(1), Vertex(2), Vertex(3)};

@@ -15,7 +15,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// The same from whole numbers, without rounding.
+/// The orientation from whole numbers, without rounding.
 int wholeOrientation(const std::array<std::array<std::int64_t, 3>, 4>& p) {
   std::array<std::array<Wide, 3>, 3> m{};
   for (std::size_t i = 0; i < 3; ++i) {

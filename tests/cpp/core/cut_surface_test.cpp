@@ -37,7 +37,7 @@ int eulerCharacteristic(const SurfaceMesh& mesh) {
          static_cast<int>(mesh.faceCount());
 }
 
-/// What must hold for every cut without caps.
+/// Checks rules that must hold for every cut without caps.
 void expectConsistent(const SurfaceMesh& mesh, const CutSurface& parts) {
   EXPECT_NEAR(parts.mesh.area(), mesh.area(), 1e-9 * mesh.area());
   // Cutting along closed curves leaves the characteristic as it is, also where they touch

@@ -31,7 +31,7 @@ constexpr const char* kFault =
     "on "
     "both sides";
 
-/// What `ask` throws, caught as an error and as an exception.
+/// Checks that `ask` throws, caught as an error and as an exception.
 template <class Ask>
 void expectFault(const Ask& ask) {
   try {
@@ -81,7 +81,7 @@ TEST(Error, NamesItsFile) {
             std::string("chair.obj: OPEN_EDGE: edge 3–7 has no face on its other side"));
 }
 
-// What keeps a reference to a mesh or to values takes them from variables only.
+// Classes that keep a reference to a mesh or to values take them from variables only.
 template <class Mesh>
 concept IsKept = requires(Mesh mesh) {
   girthFunction(std::forward<Mesh>(mesh));

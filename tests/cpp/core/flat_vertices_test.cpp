@@ -40,7 +40,7 @@ double farthestOff(const SurfaceMesh& mesh, const LeanSurface& lean) {
   return farthest;
 }
 
-/// The same surface, its coordinates rounded to single precision.
+/// A surface with its coordinates rounded to single precision.
 SurfaceMesh rounded(Shape shape) {
   // Far from the origin, where they are rounded more.
   for (double& x : shape.positions) x = static_cast<float>(x + 20);
@@ -65,7 +65,7 @@ TEST(FlatVertices, aDividedSurfaceBecomesWhatItWas) {
     ASSERT_EQ(lean.places.size(), fine.vertexCount());
     EXPECT_LE(farthestOff(fine, lean), 1e-9 * coarse.meanEdgeLength()) << random.history;
   }
-  // Of needles, some stay divided.
+  // Some needles stay divided.
   EXPECT_LE(after, before * 11 / 10);
 }
 
@@ -108,7 +108,8 @@ TEST(FlatVertices, coordinatesMayBeRoundedToSinglePrecision) {
     sum += plain;
     sumShifted += left;
   }
-  // What is left are squares of shifts, but where a path meets a crease next to its base.
+  // Differences that are left are squares of shifts, but where a path meets a crease next to its
+  // base.
   EXPECT_LE(worst, 1e-5);
   EXPECT_LE(worstShifted, 2e-7);
   EXPECT_LE(sumShifted, 0.1 * sum);
@@ -192,7 +193,7 @@ TEST(RefinedGirth, flatVerticesAreLeftOutAndHaveTheirGirth) {
     if (around == 18) {
       EXPECT_EQ(refined.value().count(GirthState::Proved), fine.vertexCount());
     }
-    // The same bits for any number of threads.
+    // Any number of threads gives these bits.
     ExecutionContext three;
     three.threads = 3;
     const auto again = refinedGirth(fine, options, three);

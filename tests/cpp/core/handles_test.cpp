@@ -40,8 +40,8 @@ std::vector<double> lengthsOf(const Handles& handles, HandleKind kind) {
   return lengths;
 }
 
-/// What must hold for all: as many as the genus promises, in order, as long as they say, and round
-/// one side of the surface alone.
+/// Checks rules that must hold for all: as many as the genus promises, in order, as long as they
+/// say, and round one side of the surface alone.
 void expectConsistent(const SurfaceMesh& mesh, const Handles& found) {
   EXPECT_EQ(found.unresolved, 0u);
   Index genus = 0;

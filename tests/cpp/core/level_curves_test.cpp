@@ -43,7 +43,7 @@ TEST(LevelCurves, areRingsAtAHeight) {
       EXPECT_NEAR(a.z, level, 1e-12);
       turned += a.x * b.y - a.y * b.x;
     }
-    // What is below lies on the left, seen from outside: clockwise seen from above.
+    // Lower values lie on the left, seen from outside: clockwise seen from above.
     EXPECT_LT(turned, 0);
     const auto cut = cutSurface(mesh, curves).value();
     ASSERT_EQ(cut.mesh.componentCount(), 2u);

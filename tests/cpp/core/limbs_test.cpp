@@ -35,7 +35,7 @@ Limbs limbsOf(const SurfaceMesh& mesh, const std::vector<double>& girth,
   return limbs.ok() ? std::move(limbs).value() : Limbs{};
 }
 
-/// What must hold for every limb.
+/// Checks rules that must hold for every limb.
 void expectConsistent(const SurfaceMesh& mesh, const Limb& limb) {
   GeodesicSolver solver(mesh);
   const std::vector<double> distances = solver.distances(SurfacePoint::atVertex(limb.apex)).value();
@@ -240,9 +240,9 @@ Shape sheets(int width, int height, IsLeftOut isLeftOut) {
 /// A bar of girth 4 along z.
 Shape barOf(double length) { return test::box(1, 1, length, 2, 2, static_cast<Index>(2 * length)); }
 
-/// Of sheets 3 wide with a gap of 1 from 8 on: where, seen from z = 0, loops slip over the gap's
-/// corner. From the rim over this corner and back on the other sheet is shorter than round both
-/// sheets, 6, as soon as the corner is nearer than 3.
+/// The place where, seen from z = 0, loops slip over the corner of a gap: sheets are 3 wide, with a
+/// gap of 1 from 8 on. From the rim over this corner and back on the other sheet is shorter than
+/// round both sheets, 6, as soon as the corner is nearer than 3.
 const double slipsOverGap = 8 - std::sqrt(9 - 1);
 
 TEST(Limbs, TheHandleOfAForkEndsWhereItSplits) {

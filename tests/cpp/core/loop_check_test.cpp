@@ -121,7 +121,7 @@ TEST(LoopCheck, refutesOnlyLoopsThatDoNotStand) {
           ++left;
         }
       }
-      // What is said of the loop itself is what was said before.
+      // The check of the loop itself answers as before.
       EXPECT_TRUE(on.check.refutes(0, loop.length, loop.midpoint));
     }
   }

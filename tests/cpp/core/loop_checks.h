@@ -1,4 +1,5 @@
-// What every returned loop must satisfy, checked in space and by angles, apart from the solver.
+// Conditions that every returned loop must satisfy, checked in space and by angles, apart from the
+// solver.
 #pragma once
 
 #include "girth/girth_solver.h"

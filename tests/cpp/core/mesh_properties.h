@@ -1,4 +1,4 @@
-// What must hold on any surface; checked on random ones.
+// Properties that must hold on any surface; checked on random ones.
 #pragma once
 
 #include <cstdint>

@@ -38,7 +38,7 @@ struct Graph {
   }
 };
 
-/// The same by its definition: every node settled in the order of height and number.
+/// A path by its definition: every node settled in the order of height and number.
 MinimaxPaths::Path fromTheStart(const Graph& graph, const std::vector<Index>& starts, double level,
                                 const std::vector<bool>& isEnd) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -22,8 +22,8 @@ constexpr int kPieces = 8;
 
 using Side = loops::MovedLoop::Side;
 
-/// Of ways from the bases of loops to corners of their faces: those along which the loop was
-/// followed, and at whose ends it was not less than the girth.
+/// Counts of ways from the bases of loops to corners of their faces: tried, followed along the way,
+/// and with an end at which the loop was not less than the girth.
 struct Counts {
   int tried{0}, followed{0}, noLess{0};
 };

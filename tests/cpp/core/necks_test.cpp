@@ -39,7 +39,7 @@ double polylineLength(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& 
   return length;
 }
 
-/// What must hold for every neck.
+/// Checks rules that must hold for every neck.
 void expectConsistent(const SurfaceMesh& mesh, const Necks& necks) {
   EXPECT_EQ(necks.unresolved, 0u);
   double shortest = kInfinity;
@@ -313,7 +313,7 @@ TEST(Necks, ofUnevenSurfaces) {
     expectConsistent(mesh, found);
     expectAllFound(mesh, found);
     EXPECT_GE(found.necks.size(), 2u);
-    // The same in any numbering, and at any scale.
+    // Necks stay in any numbering, and at any scale.
     std::vector<Index> number;
     const SurfaceMesh other = test::moved(test::relabelled(shape, seed, number), 3, 0.4, 2).mesh();
     const Necks again = necksOf(other);

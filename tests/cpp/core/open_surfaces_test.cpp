@@ -14,8 +14,8 @@
 namespace girth::test {
 namespace {
 
-/// What prepareSurface makes of a shape whose corners are all vertices of their own and whose faces
-/// are turned at random.
+/// The surface that prepareSurface makes of a shape whose corners are all vertices of their own and
+/// whose faces are turned at random.
 PreparedSurface preparedSoup(const Shape& shape, std::uint64_t seed) {
   Random random(seed);
   TriangleSoup soup;

@@ -132,7 +132,7 @@ TEST(Parts, OfARodAndASlab) {
 }
 
 TEST(Parts, WhereTheGirthIsNotDividedTheWidthOfABarDecides) {
-  // Of one thickness throughout, and girths spread evenly over what rods, bars and plates have.
+  // One thickness throughout, and girths spread evenly over those of rods, bars and plates.
   const SurfaceMesh mesh = test::icosphere(3).mesh();
   std::vector<double> girth, thickness(mesh.vertexCount(), 0.5);
   for (const Vertex v : mesh.vertices()) {

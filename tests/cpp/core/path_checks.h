@@ -1,4 +1,4 @@
-// What every returned path must satisfy, apart from the solver.
+// Conditions that every returned path must satisfy, apart from the solver.
 #pragma once
 
 #include "girth/geodesic_solver.h"

@@ -83,7 +83,7 @@ Index boundaries(const SurfaceMesh& mesh) {
   return count;
 }
 
-/// What must hold of every result, by the counts and by geometry.
+/// Checks rules that must hold of every result, by the counts and by geometry.
 void expectConsistent(const TriangleSoup& input, const PreparedSurface& out) {
   const PreparationReport& report = out.report;
   const SurfaceMesh& mesh = out.mesh;
@@ -368,7 +368,7 @@ TEST(Prepare, ANeedleThatClosesTheSurfaceIsFlipped) {
 }
 
 TEST(Prepare, ARowOfNeedlesComesApart) {
-  // The same with many points on the edge, in any triangulation of the flat polygon between.
+  // Many points lie on the edge, in any triangulation of the flat polygon between.
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Random random(seed);
     Shape shape;

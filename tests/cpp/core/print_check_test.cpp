@@ -112,7 +112,7 @@ TEST(PrintCheck, TheShareThatFailsIsThatOfTheThinPart) {
 }
 
 TEST(PrintCheck, ATubeIsAsThickAsItsSection) {
-  // Of a flat bar the girth by π is 3.18; it is 1 thick. Of a square one, 1.27 and 1.
+  // A flat bar has a girth by π of 3.18, and is 1 thick; a square one has 1.27 and 1.
   const SurfaceMesh flat = test::box(20, 4, 1, 20, 4, 1).mesh();
   const PrintCheck bar = check(flat, {3, 0, 0});
   ASSERT_FALSE(bar.places.empty());

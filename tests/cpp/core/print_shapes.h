@@ -32,7 +32,7 @@ struct PrintShape {
   double gap;
   /// By what share of the truth the check may read less: facets in the place of curves.
   double tolerance{1e-9};
-  /// What the check reads where it reads less on purpose; 0 otherwise.
+  /// The measure that the check reads where it reads less on purpose; 0 otherwise.
   double reads{0};
 };
 

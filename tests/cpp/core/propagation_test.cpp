@@ -141,7 +141,7 @@ TEST(Propagation, AGoalIsReachedByLess) {
       some.run(std::span(&source, 1), Keep::Nothing, visitor, &goal);
       EXPECT_NEAR(some.distance(to), distance, 1e-14 * distance) << to;
       towards += some.windowsCreated();
-      // What is out of reach is not reached, but by paths that are real.
+      // Vertices out of reach are reached, if at all, by paths that are real.
       for (Index v = 0; v < mesh.vertexCount(); ++v) {
         EXPECT_GE(some.distance(v), all.distance(v) * (1 - 1e-14)) << v;
       }

@@ -26,7 +26,7 @@ constexpr double kNeedle = 1e-6;
 /// `narrowest`.
 RandomMesh randomMesh(std::uint64_t seed, double narrowest = kNeedle);
 
-/// The same surface, halved sides and divided faces at random; old vertices keep their numbers. The
+/// A surface with sides halved and faces divided at random; old vertices keep their numbers. The
 /// new vertices lie no nearer to the ends of a side than `closest` times its length.
 Shape divided(const Shape& shape, double closest, Index times, std::uint64_t seed);
 
@@ -34,14 +34,14 @@ Shape divided(const Shape& shape, double closest, Index times, std::uint64_t see
 /// plane reflected by it. Old vertices keep their numbers; those on the cut are new.
 Shape reflected(const Shape& shape, std::uint64_t seed);
 
-/// The same without vertices that no face uses; those that remain are numbered anew.
+/// A shape without vertices that no face uses; the others are numbered anew.
 Shape withoutLoneVertices(const Shape& shape);
 
-/// What is left when random faces, or all faces round a vertex, are cut out here and there, as long
-/// as it stays in one piece. Vertices are numbered anew.
+/// A shape from which random faces, or all faces round a vertex, are cut out here and there, as
+/// long as it stays in one piece. Vertices are numbered anew.
 Shape withHoles(const Shape& shape, Index cuts, std::uint64_t seed);
 
-/// The same surface with a vertex at a point of a face or of an edge: the last one.
+/// A surface with one more vertex, at a point of a face or of an edge: the last one.
 Shape withVertexAt(const Shape& shape, const SurfacePoint& point);
 
 /// Whether a surface, open edges being boundaries, can be made of it, without corners narrower than

@@ -36,7 +36,7 @@ FaceSet bandRound(const Unfolding& unfolding, const GirthLoop& loop, int rings) 
 }
 
 TEST(FaceSet, growsByTheFacesAtItsVertices) {
-  // Of a grid on a torus, squares cut in two: the faces within one ring of a face.
+  // The faces within one ring of a face, on a torus with a grid of squares cut in two.
   const SurfaceMesh mesh = torus(3, 1, 12, 12).mesh();
   const Unfolding unfolding(mesh);
   FaceSet band(unfolding);

@@ -37,7 +37,7 @@ TEST(RemoveHandles, cutsHandlesOrClosesTunnelsByTheirLengths) {
   EXPECT_EQ(all.removed.size(), 2u);
   for (const Handle& handle : all.removed) EXPECT_EQ(handle.kind, HandleKind::Handle);
   EXPECT_EQ(all.mesh.componentCount(), 1u);
-  // What has been taken away is what the rims were drawn back by.
+  // The volume shrinks by as much as the rims were drawn back.
   EXPECT_LT(volumeOf(all.mesh), volume);
   EXPECT_GT(volumeOf(all.mesh), 0.8 * volume);
 }
@@ -141,7 +141,7 @@ TEST(RemoveHandles, saysWhereThereIsNoRoom) {
   EXPECT_EQ(made.genusAfter, 0u);
   EXPECT_TRUE(crossesItself(made.mesh));
   EXPECT_GT(made.crossingFaces, 0u);
-  // What crossed before, away from the cut, is no affair of the repair.
+  // Faces that crossed before, away from the cut, are no affair of the repair.
   const SurfaceMesh twice = plateRound({-0.5, -0.5, 0.5}, {0.5, 0.5, 2.5});
   ASSERT_TRUE(crossesItself(twice));
   EXPECT_EQ(removeHandles(twice, 5).value().crossingFaces, 0u);

@@ -53,7 +53,7 @@ TEST(Robustness, OfABentRod) {
   }
   EXPECT_NEAR(rows[0].faces, 300, 10);
   EXPECT_EQ(find(rows, "8f")->faces, find(rows, "8d")->faces + 4);
-  // The same shape, larger and turned.
+  // A shape that is larger and turned.
   EXPECT_EQ(rows.back().change, "pose turned");
   EXPECT_LT(rows.back().difference, 0.03);
   // More noise, more difference.

@@ -125,7 +125,7 @@ TEST(Segments, ofNecksThatCrossTheFirst) {
   const auto at = cutAtNecks(mesh, necks);
   ASSERT_TRUE(at.ok()) << at.error().text();
   EXPECT_EQ(at.value().crossing, std::vector<Index>{1});
-  // Of many, those that a plain look in order leaves: each crosses one before it.
+  // Many necks: a plain look in order leaves out each that crosses one before it.
   std::vector<Neck> many;
   for (const double level : {0.3, 0.7, 1.2, 1.6}) {
     many.push_back(section(&Vec3::x, level));

@@ -68,19 +68,19 @@ Shape tetrahedron();
 /// Two plates of `across` × `across` cells joined along their rims and round `holes` × `holes`
 /// square holes: genus holes².
 Shape plate(Index holes);
-/// The same with holes in a rectangle.
+/// A plate with holes in a rectangle.
 Shape plate(Index holesAcross, Index holesAlong);
 
-/// The same surface with 1-to-4 subdivision; old vertices keep their numbers.
+/// A surface with 1-to-4 subdivision; old vertices keep their numbers.
 Shape subdivided(const Shape& shape);
 
-/// The same surface with another triangulation: flips edges between coplanar faces at random.
+/// A surface with another triangulation: flips edges between coplanar faces at random.
 Shape retriangulated(const Shape& shape, std::uint64_t seed);
 
 /// Vertices moved at random by up to `amount` times the mean edge length.
 Shape perturbed(const Shape& shape, double amount, std::uint64_t seed);
 
-/// The same surface with vertices and faces renumbered at random. `newNumber[v]` is what became of
+/// A surface with vertices and faces renumbered at random. `newNumber[v]` is what became of
 /// v.
 Shape relabelled(const Shape& shape, std::uint64_t seed, std::vector<Index>& newNumber);
 

@@ -7,7 +7,7 @@
 
 namespace girth::test {
 
-/// What a closed surface encloses.
+/// The volume that a closed surface encloses.
 double volumeOf(const SurfaceMesh& mesh);
 
 /// Makes an isosurface with two small handles and two small tunnels, takes them away, and expects

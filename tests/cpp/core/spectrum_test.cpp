@@ -60,7 +60,7 @@ Shape flatTorus(double perimeter, double length, Index around, Index along) {
   return shape;
 }
 
-/// What rectangles, cut in two, make of the second derivative: (2 − 2 cos(h ω)) / h².
+/// The second derivative as rectangles, cut in two, have it: (2 − 2 cos(h ω)) / h².
 double discreteSquare(double omega, double h) { return (2 - 2 * std::cos(h * omega)) / (h * h); }
 
 /// L φ − λ M φ, made of the mesh's own faces: only where they are Delaunay already.
@@ -204,7 +204,7 @@ TEST(Spectrum, MovesWithTheSurfaceAndShrinksWithItsSize) {
 }
 
 TEST(Spectrum, IsThatOfTheSurfaceAndNotOfItsTriangles) {
-  // The same flat faces, cut by other diagonals: the intrinsic Delaunay triangulation is the same,
+  // Flat faces, cut by other diagonals: the intrinsic Delaunay triangulation is the same,
   // where no four vertices lie on a circle.
   const Shape shape = test::subdivided(test::perturbed(test::icosphere(2), 0.2, 4));
   const Spectrum one = spectrumOf(shape.mesh(), 30);

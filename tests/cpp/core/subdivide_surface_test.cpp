@@ -1,4 +1,4 @@
-// The same surface in more triangles.
+// One surface in more triangles.
 #include "girth/subdivide_surface.h"
 
 #include <gtest/gtest.h>

@@ -277,7 +277,7 @@ void TextbookMmp::insert(const Window& w) {
   const Real narrow = kNarrow * length;
   if (!(w.to - w.from > narrow)) return;
 
-  // Who is nearest where. The number of the new window is not given yet.
+  // The nearest window at each place. The number of the new window is not given yet.
   constexpr auto kNew = static_cast<WindowId>(-1);
   std::vector<WindowId>& onEdge = onEdge_[w.edge];
   parts_.clear();

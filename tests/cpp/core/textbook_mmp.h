@@ -30,7 +30,8 @@ class TextbookMmp {
 
   /// Distance of any surface point; infinite in another component.
   double distanceTo(const SurfacePoint& point) const;
-  /// The same in the plane of a face: corner 0 at the origin, side 0 along x, corner 2 above.
+  /// The distance to a point in the plane of a face: corner 0 at the origin, side 0 along x, corner
+  /// 2 above.
   double distanceTo(Index face, double x, double y) const;
 
   /// The least distance on an edge, as far as the propagation has reached it; else infinite.

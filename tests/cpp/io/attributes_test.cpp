@@ -134,7 +134,7 @@ TEST(Attributes, primitivesThatShareVerticesHaveTheirOwnValues) {
     EXPECT_EQ(at(model.value(), "_A", instance + 6 + 1), (std::vector<double>{7}));
     EXPECT_EQ(at(model.value(), "_A", instance + 12 + 1), (std::vector<double>{}));
   }
-  // What is placed again is stored once.
+  // A mesh that is placed again is stored once.
   EXPECT_EQ(model.value().attributes[0].values.size(), 8u);
   ASSERT_EQ(model.value().attributeNotes.size(), 1u);
   EXPECT_EQ(model.value().attributeNotes[0],

@@ -1,4 +1,4 @@
-// What the glTF reader refuses, and how it says so.
+// Files that the glTF reader refuses, and how it says so.
 #include "documents.h"
 
 namespace girth::io::testing {

@@ -26,7 +26,7 @@ TEST(Corpus, everyFileIsASurfaceOrACodedError) {
       if (!isModel(entry.path())) continue;
       const auto bytes = contentOf(entry.path());
       if (!bytes) continue;
-      // Of the processor: what else the machine does has no part in it.
+      // Time of the processor: other work of the machine has no part in it.
       const std::clock_t start = std::clock();
       const auto result = readMesh(*bytes, entry.path().string(), [&](std::string_view name) {
         return contentOf(entry.path().parent_path() / std::string(name));

@@ -49,7 +49,7 @@ inline Result<ReadModel> modelOf(std::string_view content, std::string_view name
   return readModel(bytesOf(content), name, resources);
 }
 
-/// What the file says, without what the reader says about it.
+/// The triangles of the file, without the reader's notes.
 inline Result<TriangleSoup> soupOf(std::string_view content, std::string_view name,
                                    const ResourceReader& resources = {}) {
   auto model = modelOf(content, name, resources);

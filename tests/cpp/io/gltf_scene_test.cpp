@@ -88,7 +88,7 @@ TEST(GltfScene, mirrorsKeepTheOutside) {
     TinyGltf tiny;
     tiny.nodes = R"({"mesh":0,"translation":[5,6,7],"scale":)" + std::string(scale) + "}";
     EXPECT_NEAR(sixfoldVolume(readAll(tiny)), volume, 1e-9) << scale;
-    // The same by way of a mirroring parent.
+    // A mirroring parent does as much.
     tiny.nodes =
         R"({"children":[1],"scale":[-1,1,1]},{"mesh":0,"scale":)" + std::string(scale) + "}";
     EXPECT_NEAR(sixfoldVolume(readAll(tiny)), volume, 1e-9) << scale;

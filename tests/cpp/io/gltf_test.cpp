@@ -1,4 +1,4 @@
-// What the glTF reader understands.
+// Files that the glTF reader understands.
 #include <cmath>
 
 #include "documents.h"
@@ -37,7 +37,7 @@ TEST(Gltf, recognisesGlbByContent) { expectTetrahedron(read(TinyGltf().file(), "
 
 TEST(Gltf, readsDataUri) {
   TinyGltf tiny;
-  // The same 72 bytes in base64.
+  // These 72 bytes in base64.
   tiny.bufferUri =
       "data:application/"
       "octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAA"

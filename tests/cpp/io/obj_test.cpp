@@ -1,4 +1,4 @@
-// What the OBJ reader understands and what it refuses.
+// Files that the OBJ reader understands, and others that it refuses.
 #include <cmath>
 
 #include "documents.h"

@@ -1,4 +1,4 @@
-// What the OFF reader understands and what it refuses.
+// Files that the OFF reader understands, and others that it refuses.
 #include "documents.h"
 
 namespace girth::io::testing {

@@ -1,4 +1,4 @@
-// What the PLY reader understands and what it refuses.
+// Files that the PLY reader understands, and others that it refuses.
 #include <array>
 #include <cstring>
 #include <limits>

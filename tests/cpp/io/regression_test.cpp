@@ -1,4 +1,4 @@
-// What the fuzzers have found: each file is a surface or a coded error, and stays one.
+// Findings of the fuzzers: each file is a surface or a coded error, and stays one.
 #include <array>
 #include <filesystem>
 #include <fstream>

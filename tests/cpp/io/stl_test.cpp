@@ -1,4 +1,4 @@
-// What the STL reader understands and what it refuses.
+// Files that the STL reader understands, and others that it refuses.
 #include <array>
 #include <limits>
 

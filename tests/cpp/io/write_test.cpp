@@ -207,7 +207,7 @@ GirthField sampleField() {
   return field;
 }
 
-/// What is written about sampleField.
+/// The fields that are written about sampleField.
 std::vector<VertexField> fieldsOf(const GirthField& field) {
   return {girthVertexField(field, GirthMethod::Exact, "")};
 }

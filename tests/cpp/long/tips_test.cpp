@@ -31,7 +31,7 @@ TEST(CorpusTips, AnOctopusHasEightArms) {
   if (!corpusIsThere()) GTEST_SKIP() << "no corpus";
   const SurfaceMesh mesh = corpusModel("octopus_14256f.off");
   EXPECT_EQ(tipCount(mesh), 8u);
-  // The same ones in smaller triangles; noise of up to a quarter of an edge may hide one, which is
+  // Tips stay in smaller triangles; noise of up to a quarter of an edge may hide one, which is
   // told.
   const auto tips = findTips(mesh, girthField(mesh).values);
   ASSERT_TRUE(tips.ok());
@@ -54,7 +54,8 @@ TEST(CorpusTips, AHorseEndsInFourHoovesAndItsMuzzle) {
   EXPECT_EQ(tipCount(corpusModel("horse_6000f.off")), 5u);
 }
 
-/// What an animal of the TOSCA models reaches out: up is z, it looks along −y, and x is across.
+/// Extremities that an animal of the TOSCA models reaches out: up is z, it looks along −y, and x is
+/// across.
 struct Extremities {
   std::map<std::string, Index> vertices;
 

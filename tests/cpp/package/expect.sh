@@ -1,4 +1,4 @@
-# What the scripts here check with; sourced. `failed` becomes 1 where something is wrong.
+# Functions that the scripts here check with; sourced. `failed` becomes 1 where something is wrong.
 failed=0
 
 # `expect CODE WORDS command...`: the exit code, and words that standard output or error must have.

@@ -51,7 +51,7 @@ fi
 export LD_LIBRARY_PATH=$libraries
 try dynamic
 for library in core io study; do
-  # What is marked, and instances of the standard library's templates; nothing of what they are made with.
+  # Only marked symbols show, and instances of the standard library's templates; nothing of what they are made with.
   if nm -DC --defined-only "$libraries/libgirth_$library.so" | cut -d' ' -f3- |
     grep -E '^(girth::geodesic::(Propagation|Unfolding)|girth::io::readObj|tinygltf|nlohmann|Eigen|draco)'; then
     echo "wrong: libgirth_$library.so shows private parts"

@@ -77,7 +77,7 @@ test('the address of a model and a file’s name survive, whatever letters they 
 test('in another size the lengths of a link grow, and what holds for every size stays', () => {
   const { handles, girth, diameter, jump, range, tube, prominence } = resized(whole, 2);
   expect(prominence).toBe(1);
-  // What can be printed does not grow with the model.
+  // Limits of the print check do not grow with the model.
   expect([girth, diameter, jump, range, tube]).toEqual([1.5, Infinity, 0.02, '5% 95%', 3]);
   expect(handles).toBe(0.5);
   expect(resized(whole, 2).weld).toBe(1.12e-16);
@@ -175,7 +175,7 @@ test.each([
   '=&==&&',
 ])('what is not understood is left out: %s', (fragment) => {
   expect(readState(fragment)).toEqual({});
-  // What stands beside it still holds.
+  // Settings beside it still hold.
   expect(readState(`${fragment}&field=sdf`)).toEqual({ field: 'sdf' });
 });
 

@@ -1,4 +1,4 @@
-// What somebody is editing is never overwritten: the rule that all controls of the page keep.
+// A text that somebody is editing is never overwritten: the rule that all controls of the page keep.
 
 import { expect, test, vi } from 'vitest';
 import { Draft, type DraftEvents } from '../../../web/app/draft.js';

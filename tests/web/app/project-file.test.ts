@@ -46,7 +46,7 @@ const project: Project = {
 const results: Results = { fields: [igf], loops: [loop] };
 const written = () => writeProject(project, geometry, results);
 
-/** The same project with entries of it changed; undefined takes one away. */
+/** A project with entries of it changed; undefined takes one away. */
 async function changed(entries: Record<string, Uint8Array | undefined>): Promise<Uint8Array> {
   const all = { ...unzipSync(await written()), ...entries };
   const kept = Object.entries(all).filter((entry): entry is [string, Uint8Array] => !!entry[1]);

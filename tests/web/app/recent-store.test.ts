@@ -1,4 +1,4 @@
-// What is kept of recent files, and what goes.
+// Recent files: which are kept, and which go.
 
 import { expect, test } from 'vitest';
 import { beyondBounds } from '../../../web/app/recent-store.js';

@@ -23,7 +23,7 @@ beforeAll(() => {
 
 const own = [...pages.map(({ url }) => url)];
 
-/** What a page refers to, by the attribute that names it. */
+/** Targets that a page refers to, by the attribute that names them. */
 function targetsOf(html: string): { name: string; target: string }[] {
   return [...html.matchAll(/<(\w[\w-]*)[^>]*? (href|src|srcset|poster)="([^"]*)"/g)].map(
     ([, tag = '', attribute = '', target = '']) => ({ name: `${tag} ${attribute}`, target }),

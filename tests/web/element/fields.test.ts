@@ -14,7 +14,7 @@ function drawn(method: GirthMethod = 'exact', persistence = 0) {
   const runs: { name: FieldName; options: FieldOptions; finish: () => void }[] = [];
   const lent: number[][] = [];
   const disposed: string[] = [];
-  /** What a whole field waits for. */
+  /** The promise that a whole field waits for. */
   const waiting: { for: Promise<void> | undefined } = { for: undefined };
   /** One on fewer triangles: it has other values. */
   const remeshed = {

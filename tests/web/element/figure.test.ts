@@ -1,4 +1,4 @@
-// What a figure has beside the surface.
+// Content of a figure beside the surface.
 
 import { expect, test } from 'vitest';
 import { withDensity } from '../../../web/src/element/png-density.js';

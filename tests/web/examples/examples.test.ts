@@ -7,7 +7,7 @@ import { generate } from '../../../web/app/examples/generate.ts';
 import { measure } from '../../../web/app/examples/measure.ts';
 import { models } from '../../../web/app/examples/models/index.ts';
 
-/** What is looked at of a glTF document. */
+/** The members of a glTF document that are looked at. */
 interface Accessor {
   count: number;
   componentType: number;
@@ -27,7 +27,7 @@ const built = (name: string): Uint8Array =>
     readFileSync(new URL(`../../../web/app/public/examples/${name}.glb`, import.meta.url)),
   );
 
-/** What a GLB of one mesh holds. */
+/** The content of a GLB of one mesh. */
 function parsed(glb: Uint8Array) {
   const view = new DataView(glb.buffer, glb.byteOffset);
   expect(view.getUint32(0, true)).toBe(0x46546c67);

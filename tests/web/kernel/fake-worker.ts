@@ -8,7 +8,7 @@ import type {
 } from '../../../web/src/kernel/types/protocol.js';
 import type { WorkerLike } from '../../../web/src/kernel/page/worker-client.js';
 
-/** What a fake does with a request: its answer, or a promise of it. A thrown error is answered too. */
+/** The behaviour of a fake for a request: its answer, or a promise of it. A thrown error is answered too. */
 export type Behaviour = (
   request: Request,
   report: (report: Report) => void,

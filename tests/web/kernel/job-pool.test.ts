@@ -80,7 +80,7 @@ const codeOf = (promise: Promise<unknown>) =>
     (error: unknown) => (error instanceof GirthError ? error.code : String(error)),
   );
 
-/** What a worker was asked, each with the number of its surface: 'adopt 3'. */
+/** The operations that a worker was asked, each with the number of its surface: 'adopt 3'. */
 const asked = (worker: FakeWorker) =>
   worker.requests.map(({ operation, arguments: args }) =>
     [operation, (args as { surface?: number }).surface ?? []].flat().join(' '),

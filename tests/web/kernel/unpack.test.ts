@@ -91,7 +91,7 @@ interface Plain {
   meshes: { primitives: { attributes: { POSITION: number }; indices: number; mode?: number }[] }[];
 }
 
-/** What the reader would see: positions and indices of the first primitive. */
+/** The geometry that the reader would see: positions and indices of the first primitive. */
 function geometryOf({ bytes, resource }: { bytes: Uint8Array; resource: typeof nothing }) {
   const isGlb = bytes[0] === 0x67;
   const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);

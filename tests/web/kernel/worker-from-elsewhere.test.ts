@@ -38,7 +38,7 @@ test('one of another origin is imported by a script of the page’s', async () =
   expect(scriptFromElsewhere(worker)).toBe(elsewhere);
   expect(made).toEqual([{ script: expect.stringMatching(/^blob:/) as string, type: 'module' }]);
   expect(await resolveObjectURL(made[0]!.script)!.text()).toBe(`import "${elsewhere}";`);
-  // What others make workers with stays as it was.
+  // The constructor that others make workers with stays as it was.
   expect(globalThis.Worker).toBe(RefusingWorker);
 });
 

@@ -79,7 +79,7 @@ export function install(folder: string): Manifest {
   return manifest;
 }
 
-/** Of everything that the package may contain: names, sizes and times. */
+/** A hash of everything that the package may contain: names, sizes and times. */
 function fingerprint(): string {
   const hash = createHash('sha256');
   const add = (path: string) => {

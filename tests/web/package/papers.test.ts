@@ -1,4 +1,4 @@
-// What stands beside the package's code: hashes, materials, licences, and what editors know of the element.
+// Papers beside the package's code: hashes, materials, licences, and what editors know of the element.
 
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';

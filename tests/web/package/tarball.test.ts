@@ -88,7 +88,7 @@ export async function show(source: string, kernel: Kernel): Promise<void> {
   viewer.addEventListener('pick', ({ detail }) => console.log(detail.loop.length.toFixed()));
   viewer.addEventListener('error', ({ detail }) => console.log(detail.code, detail.attribute));
   viewer.addEventListener('camera', { handleEvent: ({ detail }) => console.log(detail) }, { once: true });
-  // Those of every element have the types that they always have.
+  // Events of every element have the types that they always have.
   viewer.addEventListener('keydown', ({ key }) => console.log(key));
   viewer.addEventListener('of my own', (event: Event) => console.log(event.type));
   const heard = ({ detail }: GirthViewerEventMap['error']) => console.log(detail.hint);
@@ -151,7 +151,7 @@ export const props: Props = {
 export const wrong: Props = { shading: 'gouraud' };
 `;
 
-/** What a project that uses the package checks its types with: everything that there is to be strict. */
+/** Checks the types of a project that uses the package, as strictly as can be. */
 async function typeCheck(compiler: string, module: string, moduleResolution: string) {
   const compilerOptions = {
     ...{ target: 'ES2022', lib: ['ES2022', 'DOM', 'DOM.Iterable'], types: [], noEmit: true },

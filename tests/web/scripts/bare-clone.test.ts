@@ -1,4 +1,4 @@
-// What runs in a fresh clone, before anything is installed, needs nothing but Node.js.
+// Scripts that run in a fresh clone, before anything is installed, need nothing but Node.js.
 
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';

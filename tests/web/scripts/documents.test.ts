@@ -36,7 +36,7 @@ function read(path: string): Document {
 
 const documents = filesBelow('.', '.md');
 
-/** What links and pictures refer to, in Markdown and in HTML. */
+/** Targets of links and pictures, in Markdown and in HTML. */
 function targetsOf(prose: string): string[] {
   const withoutCode = prose.replace(/`[^`\n]*`/g, '');
   return [

@@ -8,7 +8,7 @@ const linesOf = (path: string, text: string) => openingsIn(path, text).map(({ li
 test('a comment that opens without its subject is found, in every form of comment', () => {
   const text = [
     '// What is meant.',
-    'int a;  // Of the other one.',
+    `int a;  //${' '}Of the other one.`,
     '/// Those below.',
     '/** The same, twice. */',
     '/**',

@@ -67,7 +67,7 @@ function withMatrix(text: string, job: Job): string[] {
 const cmake = ['CMakeLists.txt', 'cpp/cli/CMakeLists.txt', 'tests/cpp/CMakeLists.txt']
   .map((file) => readFileSync(join(repository, file), 'utf8'))
   .join('\n');
-/** What cpp/cmake/GirthPackages.cmake makes of a header's name. */
+/** The names of options that cpp/cmake/GirthPackages.cmake makes of headers' names. */
 const folderOptions = [
   ...readFileSync(join(repository, 'cpp/cmake/GirthPackages.cmake'), 'utf8').matchAll(
     /"?([\w/]+\.hp?p?|Eigen\/Core) lib[\w-]+-dev"?|"?([\w/.]+\.hpp) nlohmann/g,

@@ -35,7 +35,7 @@ test('their titles have the sign in them, and their units are those of the quant
   expect(fieldTitle('igf-sdf')).toBe('Girth \u2212 shape diameter');
   expect(fieldTitle('igf/_wall_heat')).toBe('Girth ÷ wall heat');
   expect(combinedUnit('difference', 'mm', 'mm')).toBe('mm');
-  // What is not known of one is not known of both.
+  // Where the unit of one field is unknown, so is that of both.
   expect(combinedUnit('difference', 'mm', '')).toBe('');
   expect(combinedUnit('ratio', 'mm', 'mm')).toBe('');
   expect(combinedUnit('ratio', 'mm', 'rad')).toBe('mm/rad');

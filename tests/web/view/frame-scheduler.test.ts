@@ -3,7 +3,7 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { FrameScheduler, type Motion } from '../../../web/src/view/frame-scheduler.js';
 
-/** What was asked of the browser: at most one frame at a time. */
+/** The requests to the browser: at most one frame at a time. */
 let requested: ((now: number) => void)[] = [];
 let now = 0;
 let drawn = 0;

@@ -1,4 +1,4 @@
-// Who draws with which context, when there are fewer contexts than stages.
+// Stages and the contexts that they draw with, when there are fewer contexts than stages.
 
 import { beforeEach, expect, test, vi } from 'vitest';
 import { type Borrower, type Drawer, RendererPool } from '../../../web/src/view/renderer-pool.js';

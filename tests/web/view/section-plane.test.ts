@@ -22,7 +22,7 @@ test('a ray reaches what is left of a surface: from the plane on, or up to it', 
     const [near, far] = plane.reach(ray([3, 0, 0], direction));
     expect(near).toBeGreaterThan(far);
   }
-  // What it reaches is what is not cut away: looked at point by point.
+  // The plane reaches all that is not cut away: looked at point by point.
   const slanted = new SectionPlane([0.6, 0, 0.8], 0.3);
   for (let i = 0; i < 50; ++i) {
     const at = (k: number) => Math.sin(7 * i + k);

@@ -21,7 +21,7 @@ const table = boxes(
   ),
 );
 
-/** The same with other coordinates for x, y and z. */
+/** A surface with other coordinates for x, y and z. */
 function turned(positions: Float32Array, turn: (x: number, y: number, z: number) => number[]) {
   const places = Array.from({ length: positions.length / 3 }, (_, i) =>
     turn(positions[3 * i]!, positions[3 * i + 1]!, positions[3 * i + 2]!),
