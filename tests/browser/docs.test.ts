@@ -83,6 +83,29 @@ test('the search finds words, by the keyboard alone', async () => {
   expect(complaints).toEqual([]);
 });
 
+test('a block of code is copied by its button', async () => {
+  const { page, complaints } = await openPage(`${start()}reference/command.html`);
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  const block = page.locator('.copied').first();
+  await block.getByRole('button', { name: 'Copy' }).click();
+  await block.getByRole('button', { name: 'Copied' }).waitFor();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  expect(copied).toBe(await block.locator('pre').textContent());
+  expect(copied).toContain('Usage: girth COMMAND');
+  expect(complaints).toEqual([]);
+});
+
+test('a reference leads back, and is dark where the site is', async () => {
+  const { page } = await openPage(`${start()}reference/cpp/index.html`, {}, (page) =>
+    page.emulateMedia({ colorScheme: 'dark' }),
+  );
+  expect(await page.evaluate(() => getComputedStyle(document.documentElement).filter)).toMatch(
+    /invert/,
+  );
+  await page.getByRole('link', { name: '← Documentation of Girth' }).click();
+  await page.waitForURL(`${start()}index.html`);
+});
+
 test('what the tutorial of the element says to write does what it says', async () => {
   const text = readFileSync(join(repository, 'web/docs/tutorials/element.md'), 'utf8');
   const [page = '', viewer = '', script = ''] = [...text.matchAll(/^```html\n([^]*?)^```$/gm)].map(

@@ -230,7 +230,7 @@ export async function buildDocs() {
       ...[...configuration, 'web/docs', 'web/app/icon.svg', 'web/app/public/examples', 'dist'],
       ...['README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'SECURITY.md', 'CHANGELOG.md'],
       ...['cpp/bench/README.md', 'tests/README.md', 'tests/fuzz/README.md'],
-      ...['cpp/include/girth/error_codes.def'],
+      ...['cpp/include/girth/error_codes.def', 'cpp/python/pygirth'],
       ...['build/reference/cpp/index.html', 'build/reference/js/index.html'],
     ],
     outputs: ['build/page/docs/index.html', 'build/page/docs/site/search.json'],

@@ -85,6 +85,48 @@ test('words are found where they stand', () => {
   expect(found('zzzzzz')).toEqual([]);
 });
 
+test('the search has all four references', () => {
+  const index = MiniSearch.loadJSON(text('site/search.json'), searchOptions);
+  const found = (words: string) => index.search(words).map(({ id }) => String(id));
+  expect(found('girth bottleneck options')).toContain('reference/command.html#girth-bottleneck');
+  expect(found('print_check')).toContain('reference/python.html#meshprint_check');
+  expect(found('PersistentMaximum')).toContain(
+    'reference/cpp/structgirth_1_1PersistentMaximum.html',
+  );
+  expect(found('createKernel')).toContain('reference/js/functions/girth.createKernel.html');
+});
+
+test('every page of the references leads back, in colours of the site', () => {
+  for (const name of ['cpp', 'js']) {
+    const folder = join(site, 'reference', name);
+    const files = readdirSync(folder, { recursive: true, encoding: 'utf8' });
+    for (const file of files.filter((one) => one.endsWith('.html'))) {
+      const html = readFileSync(join(folder, file), 'utf8');
+      const [, back = ''] = /<a class="girth-back \w+" href="([^"]*)"/.exec(html) ?? [];
+      expect(join(folder, dirname(file), back), file).toBe(join(site, 'index.html'));
+      const [, style = ''] = /href="([^"]*reference\.css)"/.exec(html) ?? [];
+      expect(existsSync(join(folder, dirname(file), style)), file).toBe(true);
+    }
+  }
+});
+
+test('the references of command and Python say what the programs say', () => {
+  const command = text('reference/command.html');
+  const sources = readdirSync(join(repository, 'cpp/cli/commands'));
+  const names = sources.filter((name) => /^(igf|[a-z]+\.cpp)$/.test(name));
+  const others = ['command.cpp', 'help.cpp', 'table.cpp'];
+  for (const name of names.filter((one) => !others.includes(one))) {
+    expect(command).toContain(`id="girth-${name.replace('.cpp', '')}"`);
+  }
+  const python = text('reference/python.html');
+  const init = readFileSync(join(repository, 'cpp/python/pygirth/__init__.py'), 'utf8');
+  const [, list = ''] = /__all__ = \[([^\]]*)\]/.exec(init) ?? [];
+  const modules = ['FIELDS', 'collection', 'errors', 'results'];
+  for (const [, name = ''] of list.matchAll(/"(\w+)"/g)) {
+    if (!modules.includes(name)) expect(python).toContain(`<code>pygirth.${name}</code>`);
+  }
+});
+
 test('every figure is on a page, with its model and its picture', () => {
   const all = own.map(text).join();
   for (const [name, { model }] of Object.entries(figures)) {

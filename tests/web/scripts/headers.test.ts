@@ -21,3 +21,11 @@ test('girth.h includes all of the core, study.h all of the studies', () => {
   const studies = headers('study').filter((name) => name !== 'study/study.h');
   expect(included('study/study.h')).toEqual(studies.sort());
 });
+
+test("the front page of the reference names all of the core's headers", () => {
+  const page = readFileSync(join(repository, 'web/docs/reference/pages.dox'), 'utf8');
+  const missing = headers()
+    .filter((name) => name !== 'girth.h')
+    .filter((name) => !new RegExp(`(?<![\\w/])${name}`).test(page));
+  expect(missing).toEqual([]);
+});

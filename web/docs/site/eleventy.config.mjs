@@ -4,15 +4,25 @@
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, posix } from 'node:path';
 import { repository } from '../../scripts/run.mjs';
+import { commandPage } from './command-reference.mjs';
 import { errorsPage } from './errors.mjs';
 import { figures } from './figures.mjs';
 import { amendMarkdown, sourceAddress } from './markdown.mjs';
 import { makeModels } from './models.mjs';
 import { pages, sections } from './pages.mjs';
+import { pythonPage } from './python-reference.mjs';
+import { joinReferences } from './references.mjs';
 import { searchIndex } from './search-index.mjs';
 
 const site = 'web/docs/site';
 const output = 'build/page/docs';
+
+/** Pages that are made, by the names that pages.mjs has for them. @type {Record<string, () => string>} */
+const made = {
+  errors: errorsPage,
+  'command-reference': commandPage,
+  'python-reference': pythonPage,
+};
 
 /** From a page to the top of the site. */
 const rootOf = (/** @type {string} */ url) => '../'.repeat(url.split('/').length - 1) || './';
@@ -35,7 +45,7 @@ export default function (config) {
 
   const documents = pages.map((page) => {
     const { file, url } = page;
-    const text = file === 'errors' ? errorsPage() : readFileSync(join(repository, file), 'utf8');
+    const text = made[file]?.() ?? readFileSync(join(repository, file), 'utf8');
     const title = titleOf(text);
     return { text, title, file, url, label: page.label ?? title };
   });
@@ -86,16 +96,17 @@ export default function (config) {
       copy('build/reference', 'reference');
       const models = new Set(Object.values(figures).map(({ model }) => model));
       mkdirSync(join(repository, output, 'models'), { recursive: true });
-      const made = await makeModels();
+      const generated = await makeModels();
       for (const model of models) {
         const to = `models/${model}.glb`;
-        if (model in made) writeFileSync(join(repository, output, to), made[model] ?? '');
+        if (model in generated) writeFileSync(join(repository, output, to), generated[model] ?? '');
         else copy(`web/app/public/examples/${model}.glb`, to);
       }
-      for (const part of ['girth-viewer.js', 'girth-kernel.js', 'assets']) {
+      for (const part of ['girth-viewer.js', 'girth-kernel.js', 'assets', 'kernel/wasm']) {
         copy(posix.join('dist', part), posix.join('girth/dist', part));
       }
-      writeFileSync(join(repository, output, 'site/search.json'), searchIndex(built));
+      const references = joinReferences(join(repository, output, 'reference'));
+      writeFileSync(join(repository, output, 'site/search.json'), searchIndex(built, references));
     },
   );
 

@@ -80,6 +80,9 @@ const placed = [
       { file: 'errors', url: 'errors.html' },
       document('definitions', 'Definitions'),
       document('stable'),
+      // Made of help and of docstrings (command-reference.mjs, python-reference.mjs).
+      { file: 'command-reference', url: 'reference/command.html', label: 'Command reference' },
+      { file: 'python-reference', url: 'reference/python.html', label: 'Python reference' },
     ],
     others: [
       { url: 'reference/cpp/index.html', label: 'C++ reference' },

@@ -4,7 +4,7 @@ import MiniSearch from 'minisearch';
 import { searchOptions } from './client/search-options.js';
 
 /** @param {string} html */
-const words = (html) =>
+export const words = (html) =>
   html
     .replace(/<[^>]*>/g, ' ')
     .replace(/&#(\d+);/g, (_, code) => String.fromCharCode(Number(code)))
@@ -34,9 +34,10 @@ function pieces({ url, content }) {
 /**
  * The index as JSON.
  * @param {{ url: string, content: string }[]} pages
+ * @param {{ id: string, page: string, heading: string, text: string }[]} references pieces of pages that others make
  */
-export function searchIndex(pages) {
+export function searchIndex(pages, references) {
   const index = new MiniSearch(searchOptions);
-  index.addAll(pages.flatMap(pieces));
+  index.addAll([...pages.flatMap(pieces), ...references]);
   return JSON.stringify(index);
 }
