@@ -26,7 +26,8 @@ using GltfColour = std::array<double, 4>;
 constexpr GltfColour kGltfWhite{1, 1, 1, 1};
 
 /// The geometry of a document as JSON whose elements tinygltf reads as they are meant.
-struct GeometryJson {
+struct GeometryJson {  // NOLINT(bugprone-exception-escape): its JSON throws nothing when it is
+                       // moved
   /// The document's lists, as far as they matter for the surface, and its default scene.
   nlohmann::json geometry;
   /// The buffers, which are no part of `geometry`.
