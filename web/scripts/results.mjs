@@ -1,6 +1,6 @@
 // The types of results in TypeScript and Python, of what girth/describe lists and the headers say.
 
-import { descriptions, isExperimental, structOf, wordsOf } from './headers.mjs';
+import { descriptions, isExperimental, read, structOf, wordsOf } from './headers.mjs';
 
 /** Public names that differ from those of C++. */
 const publicNames = /** @type {Record<string, string>} */ ({
@@ -20,23 +20,22 @@ const extended = /** @type {Record<string, string>} */ ({
   PathStation: 'MeasuredStation',
 });
 
-/** Structs that have a class in Python, and its name. */
+/** Classes of Python that have a name of their own. */
 const pythonNames = /** @type {Record<string, string>} */ ({
-  AxisStation: 'AxisLoop',
-  Bottleneck: 'Bottleneck',
   ContourLine: 'Contour',
-  Handle: 'Handle',
-  HandleRemoval: 'HandleRemoval',
-  Limb: 'Limb',
-  Neck: 'Neck',
-  Part: 'Part',
   PersistentMaximum: 'Maximum',
-  PrintCheck: 'PrintCheck',
-  Section: 'Section',
-  SectionCurve: 'SectionCurve',
-  Tip: 'Tip',
-  WeakPlace: 'WeakPlace',
 });
+
+/** The class of a struct in Python. @param {string} struct */
+const pythonName = (struct) => pythonNames[struct] ?? publicName(struct);
+
+/** Classes of Python that `results.py` extends by what is only there. */
+const pythonClasses = () =>
+  new Set(
+    [...read('cpp/python/pygirth/results.py').matchAll(/\b_members\.(\w+)/g)].map(
+      ([, name]) => name,
+    ),
+  );
 
 /** Structs that are given, not found: their types have options. */
 const given = new Set(['PrintLimits']);
@@ -159,12 +158,10 @@ const snakeCase = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowe
 /** A member as Python has it. @param {ReturnType<typeof results>[number]['members'][number]} member */
 function pythonMember({ how, name, type, comment, typescript, isEnumeration }) {
   const [, entry = ''] = /^std::vector<(\w+)>$/.exec(type) ?? [];
-  const ofClass = pythonNames[entry];
+  const ofClass = pythonName(entry);
   const [annotation, words = annotation] = isEnumeration
     ? ['str']
-    : ofClass
-      ? [`list["${ofClass}"]`, `list of ${ofClass}`]
-      : (pythonTypes[type] ?? []);
+    : (pythonTypes[type] ?? (entry ? [`list["${ofClass}"]`, `list of ${ofClass}`] : []));
   if (annotation === undefined) throw new Error(`${name} has a type that Python has not: ${type}`);
   const columns = /** @type {Record<string, string>} */ ({
     GirthProfile: 'GirthStation',
@@ -204,9 +201,10 @@ const wrapped = (text, indent) =>
   text.replace(new RegExp(`(.{1,${96 - indent.length}})(?: |$)`, 'g'), `${indent}$1\n`);
 
 export function pythonText() {
+  const wanted = pythonClasses();
   const classes = results().flatMap(({ struct, comment, members }) => {
-    const name = pythonNames[struct];
-    if (!name) return [];
+    const name = pythonName(struct);
+    if (!wanted.has(name)) return [];
     const own = members.map(pythonMember);
     const attributes = own.map(
       ({ name: attribute, words, text }) =>
@@ -216,7 +214,12 @@ export function pythonText() {
       ...(how === 'curve' ? ['_curve'] : []),
       ...(type === 'GirthProfile' ? ['_places'] : []),
     ]);
+    const entries = own.flatMap(({ name: attribute, annotation }) => {
+      const [, entry] = /^list\["(\w+)"\]$/.exec(annotation) ?? [];
+      return entry ? [`"${attribute}": "${entry}"`] : [];
+    });
     const annotations = [
+      ...(entries.length > 0 ? [`    _entries = {${entries.join(', ')}}\n`] : []),
       ...own.map(({ name: attribute, annotation }) => `    ${attribute}: ${annotation}\n`),
       ...kept.map((attribute) => `    ${attribute}: tuple[np.ndarray, np.ndarray]\n`),
     ];
@@ -233,8 +236,16 @@ import numpy as np
 
 
 class _Members:
+    #: The classes of the entries of lists, by member.
+    _entries: dict[str, str] = {}
+
     def __init__(self, found: dict[str, Any]) -> None:
+        from pygirth import results
+
         self.__dict__.update(found)
+        for member, name in self._entries.items():
+            entry = getattr(results, name)
+            setattr(self, member, [entry(one) for one in found[member]])
 
 
 ${classes.join('\n\n')}`;
@@ -248,19 +259,10 @@ export function unitOf(comment) {
   return /\bradians\b/.test(comment) ? 'radian' : '';
 }
 
-/** Entries of lists in JSON; what is a file's whole content has tables of its own. */
-const tabled =
-  'Tip ContourLine OpenArc Limb GirthStation Neck CurveSide Handle Part WeakPlace Section SectionCurve PathStation AxisStation PreparationReport ClosedHole GirthAudit'.split(
-    ' ',
-  );
-
 /** Tables of the members of results in JSON. */
 export function documentTables() {
-  const all = results();
-  return tabled
-    .map((struct) => {
-      const found = all.find((one) => one.struct === struct);
-      if (!found) throw new Error(`${struct} is not described`);
+  return results()
+    .map((found) => {
       const rows = found.members.map(({ name, type, typescript, comment, isEnumeration }) => {
         const words = isEnumeration
           ? wordsOf(typescript).words.map(({ word }) => `\`${word}\``)

@@ -8,8 +8,16 @@ import numpy as np
 
 
 class _Members:
+    #: The classes of the entries of lists, by member.
+    _entries: dict[str, str] = {}
+
     def __init__(self, found: dict[str, Any]) -> None:
+        from pygirth import results
+
         self.__dict__.update(found)
+        for member, name in self._entries.items():
+            entry = getattr(results, name)
+            setattr(self, member, [entry(one) for one in found[member]])
 
 
 class Bottleneck(_Members):
@@ -354,6 +362,7 @@ class PrintCheck(_Members):
         The worst first, in shares of their limits.
     """
 
+    _entries = {"places": "WeakPlace"}
     passes: bool
     failing_share: float
     passing_scale: float
@@ -452,6 +461,7 @@ class Section(_Members):
         surface.
     """
 
+    _entries = {"curves": "SectionCurve"}
     normal: np.ndarray
     offset: float
     perimeter: float
@@ -499,6 +509,7 @@ class Tip(_Members):
         The line that cuts it off: usually one closed line.
     """
 
+    _entries = {"contour": "Contour"}
     area: float
     boundary_length: float
     jump: float

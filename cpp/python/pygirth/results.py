@@ -593,17 +593,11 @@ class SectionCurve(_members.SectionCurve, _Result):
 
 
 class Section(_members.Section, _Result):
-    def __init__(self, found: dict) -> None:
-        super().__init__({**found, "curves": [SectionCurve(one) for one in found["curves"]]})
-
     def _line(self) -> str:
         return f"{len(self.curves)} curves, perimeter {self.perimeter:.6g}, area {self.area:.6g}"
 
 
 class Tip(_members.Tip, _Result):
-    def __init__(self, found: dict) -> None:
-        super().__init__({**found, "contour": [Contour(line) for line in found["contour"]]})
-
     def _line(self) -> str:
         return f"{len(self.vertices)} vertices, apex {self.apex}, jump {self.jump:.4g}"
 
