@@ -7,12 +7,12 @@
 
 #include "commands/comparison_options.h"
 #include "commands/table.h"
+#include "girth/io/json_text.h"
 #include "model/loading.h"
 #include "process/interrupt.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 #include "study/typical_distance.h"
-#include "text/json_text.h"
 
 namespace girth::cli {
 namespace compare_command {

@@ -15,6 +15,7 @@
 #include "commands/common_options.h"
 #include "commands/table.h"
 #include "girth/fields.h"
+#include "girth/io/json_text.h"
 #include "girth/io/write_field.h"
 #include "girth/persistent_maxima.h"
 #include "model/computing.h"
@@ -23,7 +24,6 @@
 #include "model/spectral_field.h"
 #include "process/output.h"
 #include "process/report.h"
-#include "text/json_text.h"
 #include "text/number_text.h"
 
 namespace girth::cli {

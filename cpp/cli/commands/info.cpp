@@ -9,11 +9,11 @@
 
 #include "commands/common_options.h"
 #include "commands/table.h"
+#include "girth/io/json_text.h"
 #include "girth/io/report_json.h"
 #include "model/loading.h"
 #include "process/jobs.h"
 #include "process/report.h"
-#include "text/json_text.h"
 
 namespace girth::cli {
 namespace info_command {

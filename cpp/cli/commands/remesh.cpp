@@ -11,6 +11,7 @@
 #include "commands/common_options.h"
 #include "commands/table.h"
 #include "girth/field_difference.h"
+#include "girth/io/json_text.h"
 #include "girth/io/write_mesh.h"
 #include "girth/remesh.h"
 #include "girth/remove_handles.h"
@@ -20,7 +21,6 @@
 #include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
-#include "text/json_text.h"
 
 namespace girth::cli {
 namespace remesh_command {

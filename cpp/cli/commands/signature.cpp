@@ -7,12 +7,12 @@
 #include "commands/comparison_options.h"
 #include "commands/table.h"
 #include "girth/distribution.h"
+#include "girth/io/json_text.h"
 #include "girth/study/histogram.h"
 #include "model/loading.h"
 #include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
-#include "text/json_text.h"
 #include "text/number_text.h"
 
 namespace girth::cli {

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <string_view>
 
+#include "girth/io/json_text.h"
 #include "girth/io/length_unit.h"
-#include "text/json_text.h"
 #include "text/number_text.h"
 
 namespace girth::cli {

@@ -1,4 +1,4 @@
-#include "text/json_text.h"
+#include "girth/io/json_text.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

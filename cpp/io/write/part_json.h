@@ -1,8 +1,8 @@
 // Measures of a part of a surface, as JSON.
 #pragma once
 
+#include "girth/io/json_text.h"
 #include "girth/surface_mesh.h"
-#include "text/json_text.h"
 
 namespace girth::io {
 

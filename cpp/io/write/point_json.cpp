@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "text/json_text.h"
+#include "girth/io/json_text.h"
 #include "text/number_text.h"
 
 namespace girth::io {

@@ -1,7 +1,7 @@
 #include "girth/io/report_json.h"
 
 #include "girth/describe/prepare_surface.h"
-#include "write/result_json.h"
+#include "girth/io/result_json.h"
 
 namespace girth::io {
 

@@ -4,9 +4,9 @@
 #include <cstddef>
 
 #include "bytes/append.h"
+#include "girth/io/result_json.h"
 #include "text/number_text.h"
 #include "write/npy.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 namespace {

@@ -3,15 +3,15 @@
 #include <cstddef>
 
 #include "girth/describe/bottleneck.h"
+#include "girth/io/result_json.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 
 std::string bottleneckJson(const LoadedMesh& loaded, const Bottleneck& bottleneck,
                            std::string_view file) {
-  return ResultJson(file, loaded).addMembers(bottleneck).file();
+  return resultJson(loaded, bottleneck, file);
 }
 
 std::string bottleneckObj(const LoadedMesh& loaded, const Bottleneck& bottleneck) {

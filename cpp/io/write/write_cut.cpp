@@ -7,12 +7,12 @@
 #include <limits>
 #include <utility>
 
+#include "girth/io/result_json.h"
 #include "girth/io/write_mesh.h"
 #include "text/unit_text.h"
 #include "write/attributed_part.h"
 #include "write/glb_writer.h"
 #include "write/part_json.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 namespace {

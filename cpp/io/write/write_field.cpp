@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "bytes/append.h"
+#include "girth/io/json_text.h"
 #include "girth/io/length_unit.h"
+#include "girth/io/result_json.h"
 #include "picture/viridis.h"
-#include "text/json_text.h"
 #include "text/number_text.h"
 #include "text/unit_text.h"
 #include "write/glb_writer.h"
 #include "write/npy.h"
 #include "write/point_json.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 namespace {

@@ -3,10 +3,10 @@
 #include <cstddef>
 
 #include "girth/describe/handles.h"
+#include "girth/io/result_json.h"
 #include "text/number_text.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 namespace {
@@ -21,7 +21,7 @@ std::string nameOf(const Handles& handles, std::size_t i) {
 }  // namespace
 
 std::string handlesJson(const LoadedMesh& loaded, const Handles& handles, std::string_view file) {
-  return ResultJson(file, loaded).addMembers(handles).file();
+  return resultJson(loaded, handles, file);
 }
 
 std::string handlesCsv(const LoadedMesh& loaded, const Handles& handles) {

@@ -3,21 +3,18 @@
 #include <cstddef>
 
 #include "girth/describe/limb_axis.h"
+#include "girth/io/result_csv.h"
+#include "girth/io/result_json.h"
 #include "text/number_text.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 
 std::string limbAxisCsv(const LoadedMesh& loaded, std::span<const AxisStation> axis) {
-  std::string text = "distance,along,girth,area,x,y,z,unit\n";
-  for (const AxisStation& station : axis) {
-    text += formatNumber(station.distance) + "," + formatNumber(station.along) + "," +
-            formatNumber(station.girth) + "," + formatNumber(station.area) + "," +
-            pointText(station.centre, ',') + "," + loaded.unit + "\n";
-  }
-  return text;
+  ResultCsv<AxisStation> csv(loaded);
+  for (const AxisStation& station : axis) csv.add(station);
+  return csv.text();
 }
 
 std::string limbAxisJson(const LoadedMesh& loaded, std::span<const AxisStation> axis,

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
+#include "girth/io/result_json.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 

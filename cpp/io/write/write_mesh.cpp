@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bytes/append.h"
-#include "text/json_text.h"
+#include "girth/io/json_text.h"
 #include "text/number_text.h"
 #include "text/unit_text.h"
 #include "write/glb_writer.h"

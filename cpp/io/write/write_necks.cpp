@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "girth/describe/necks.h"
+#include "girth/io/result_json.h"
 #include "text/number_text.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 namespace {
@@ -18,7 +18,7 @@ std::string wordOf(bool value) { return value ? "true" : "false"; }
 }  // namespace
 
 std::string necksJson(const LoadedMesh& loaded, const Necks& necks, std::string_view file) {
-  return ResultJson(file, loaded).addMembers(necks).file();
+  return resultJson(loaded, necks, file);
 }
 
 std::string necksCsv(const LoadedMesh& loaded, const Necks& necks) {

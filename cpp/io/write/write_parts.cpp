@@ -2,7 +2,7 @@
 
 #include "girth/describe/parts.h"
 #include "girth/describe/print_check.h"
-#include "write/result_json.h"
+#include "girth/io/result_json.h"
 
 namespace girth::io {
 std::string partsJson(const LoadedMesh& loaded, const Parts& parts, const PartOptions& options,

@@ -1,9 +1,9 @@
 #include "girth/io/write_path_profile.h"
 
 #include "girth/describe/path_profile.h"
+#include "girth/io/result_json.h"
 #include "text/number_text.h"
 #include "write/point_json.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 

@@ -4,10 +4,11 @@
 #include <string>
 
 #include "girth/describe/section.h"
+#include "girth/io/result_csv.h"
+#include "girth/io/result_json.h"
 #include "text/number_text.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 namespace {
@@ -31,25 +32,17 @@ std::string nameOf(std::size_t section, std::size_t curve) {
 
 std::string sectionsJson(const LoadedMesh& loaded, const Sections& sections,
                          std::string_view file) {
-  return ResultJson(file, loaded).addMembers(sections).file();
+  return resultJson(loaded, sections, file);
 }
 
 std::string sectionsCsv(const LoadedMesh& loaded, const Sections& sections) {
-  std::string text =
-      "section,offset,curve,perimeter,tape,area,equivalentDiameter,leastWidth,greatestWidth,x,y,z,"
-      "closed,hole,component,unit\n";
+  ResultCsv<SectionCurve> csv(loaded, "section,offset,curve");
   forEachCurve(sections, [&](const Section& section, std::size_t s, const SectionCurve& curve,
                              std::size_t c) {
-    text += std::to_string(s) + "," + formatNumber(section.offset) + "," + std::to_string(c);
-    for (const double number : {curve.perimeter, curve.tape, curve.area, curve.equivalentDiameter,
-                                curve.leastWidth, curve.greatestWidth}) {
-      text += "," + formatNumber(number);
-    }
-    text += "," + pointText(curve.centre, ',');
-    for (const bool is : {curve.closed, curve.hole}) text += is ? ",true" : ",false";
-    text += "," + std::to_string(curve.component) + "," + loaded.unit + "\n";
+    csv.add(curve,
+            std::to_string(s) + "," + formatNumber(section.offset) + "," + std::to_string(c));
   });
-  return text;
+  return csv.text();
 }
 
 std::string sectionsObj(const LoadedMesh& loaded, const Sections& sections) {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "girth/describe/parts.h"
+#include "girth/io/result_json.h"
 #include "write/glb_writer.h"
 #include "write/part_json.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include "girth/describe/tips.h"
+#include "girth/io/result_json.h"
 #include "write/point_json.h"
-#include "write/result_json.h"
 
 namespace girth::io {
 namespace {

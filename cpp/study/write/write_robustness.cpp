@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "text/json_text.h"
+#include "girth/io/json_text.h"
 #include "text/number_text.h"
 #include "write/csv_text.h"
 

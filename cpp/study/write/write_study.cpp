@@ -1,6 +1,6 @@
 #include "girth/study/write_study.h"
 
-#include "text/json_text.h"
+#include "girth/io/json_text.h"
 #include "text/number_text.h"
 #include "write/csv_text.h"
 

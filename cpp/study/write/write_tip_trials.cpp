@@ -1,6 +1,6 @@
 #include "girth/study/write_tip_trials.h"
 
-#include "text/json_text.h"
+#include "girth/io/json_text.h"
 
 namespace girth::study {
 

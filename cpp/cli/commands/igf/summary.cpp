@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "girth/describe/refined_girth.h"
+#include "girth/io/json_text.h"
 #include "girth/parallel.h"
 #include "model/persistence.h"
 #include "process/report.h"
-#include "text/json_text.h"
 
 namespace girth::cli::igf_command {
 

@@ -9,26 +9,22 @@
 
 #include "girth/describe/cut_surface.h"
 #include "girth/describe/description.h"
+#include "girth/export.h"
+#include "girth/io/json_text.h"
 #include "girth/io/read_mesh.h"
-#include "text/json_text.h"
-#include "write/point_json.h"
 
 namespace girth::io {
 
 /// A JSON object of members of results.
-class ResultJson : public JsonObject {
+class GIRTH_EXPORT ResultJson : public JsonObject {
  public:
   /// An object of results without points, vertices and faces; with a mesh, of what is of its
   /// surface.
   explicit ResultJson(const LoadedMesh* loaded = nullptr) : loaded_(loaded) {}
-  /// The object about a model: with `file`, `unit`, and where it was measured on fewer triangles
-  /// than the file has, `fewerFaces`, their number. The entries of its lists stand in lines of
-  /// their own.
-  ResultJson(std::string_view file, const LoadedMesh& loaded)
-      : loaded_(&loaded), isOutermost_(true) {
-    add("file", file).add("unit", loaded.unit);
-    if (loaded.fewerFaces != 0) add("fewerFaces", loaded.fewerFaces);
-  }
+  /// The object about a model: what commands write. With `file`, `unit`, and where it was measured
+  /// on fewer triangles than the file has, `fewerFaces`, their number. The entries of its lists
+  /// stand in lines of their own.
+  ResultJson(std::string_view file, const LoadedMesh& loaded);
 
   /// Adds `persistence`, of the girth that something was found by, where it is not 0.
   ResultJson& addPersistence(double persistence) {
@@ -63,20 +59,16 @@ class ResultJson : public JsonObject {
   template <class Word>
   requires std::is_enum_v<Word> std::string textOf(Word word)
   const { return jsonString(toString(word)); }
-  std::string textOf(const Vec3& point) const { return "[" + pointText(point, ',') + "]"; }
-  std::string textOf(const SurfacePoint& point) const { return pointJson(*loaded_, point); }
-  std::string textOf(const std::vector<SurfacePoint>& points) const {
-    return pointsJson(*loaded_, points);
-  }
-  std::string textOf(const Curve& curve) const { return pointsJson(*loaded_, curve.points); }
-  std::string textOf(const Line& line) const { return positionsJson(*loaded_, line.points); }
-  std::string textOf(Vertex vertex) const { return vertexJson(*loaded_, vertex); }
-  std::string textOf(const std::vector<Vertex>& vertices) const {
-    return inputsJson(*loaded_, vertices);
-  }
-  std::string textOf(const std::vector<Face>& faces) const { return facesJson(*loaded_, faces); }
-  std::string textOf(const VertexNumbers& numbers) const { return numbersJson(*loaded_, numbers); }
-  std::string textOf(const Numbers& numbers) const { return numbersJson(numbers.places); }
+  std::string textOf(const Vec3& point) const;
+  std::string textOf(const SurfacePoint& point) const;
+  std::string textOf(const std::vector<SurfacePoint>& points) const;
+  std::string textOf(const Curve& curve) const;
+  std::string textOf(const Line& line) const;
+  std::string textOf(Vertex vertex) const;
+  std::string textOf(const std::vector<Vertex>& vertices) const;
+  std::string textOf(const std::vector<Face>& faces) const;
+  std::string textOf(const VertexNumbers& numbers) const;
+  std::string textOf(const Numbers& numbers) const;
   template <class Value>
   std::string textOf(const Value* value) const {
     return value == nullptr ? "null" : textOf(*value);
@@ -105,5 +97,11 @@ class ResultJson : public JsonObject {
   const LoadedMesh* loaded_;
   bool isOutermost_{false};
 };
+
+/// A result as the command writes it: one JSON object with `file`, `unit` and its members.
+template <Described Struct>
+std::string resultJson(const LoadedMesh& loaded, const Struct& result, std::string_view file) {
+  return ResultJson(file, loaded).addMembers(result).file();
+}
 
 }  // namespace girth::io
