@@ -11,6 +11,7 @@
 #include "analysis.h"
 #include "boundary.h"
 #include "file_content.h"
+#include "girth/analyses.def"
 #include "girth/describe/bottleneck.h"
 #include "girth/describe/handles.h"
 #include "girth/describe/limb_axis.h"
@@ -21,6 +22,8 @@
 #include "girth/describe/print_check.h"
 #include "girth/describe/section.h"
 #include "girth/describe/tips.h"
+#include "girth/io/result_csv.h"
+#include "girth/io/result_json.h"
 #include "girth/io/write_bottleneck.h"
 #include "girth/io/write_handles.h"
 #include "girth/io/write_limb_axis.h"
@@ -201,6 +204,17 @@ Content segmentsFile(const Asked& asked) {
   return asked.unknownFormat("segments are");
 }
 
+/// Of an analysis of the table.
+template <Described Found>
+Content analysisFile(const Asked& asked) {
+  if (asked.format != "csv" && asked.format != "json")
+    return asked.unknownFormat("such results are");
+  const auto found = asked.result<Found>();
+  if (!found) return found.error();
+  return asked.format == "csv" ? io::resultCsv(asked.loaded, found.value())
+                               : io::resultJson(asked.loaded, found.value(), asked.name);
+}
+
 /// {bytes} of a file with a result of this surface, or an error.
 val writeFound(JobSurface& surface, const val& model, const val& found, const std::string& format) {
   static const std::map<std::string, Content (*)(const Asked&)> writers{
@@ -208,6 +222,8 @@ val writeFound(JobSurface& surface, const val& model, const val& found, const st
       {"handles", handlesFile},   {"bottleneck", bottleneckFile}, {"profile", profileFile},
       {"axis", axisFile},         {"parts", partsFile},           {"printCheck", weakPlacesFile},
       {"segments", segmentsFile}, {"sections", sectionsFile},
+#define GIRTH_ANALYSIS(name, Options, Found, function) {#name, analysisFile<Found>},
+#include "girth/analyses.def"
   };
   return guarded([&] {
     const io::LoadedMesh& loaded = surface.inUnit(model["unit"].as<std::string>());

@@ -3,6 +3,7 @@
 
 #include <emscripten/val.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>
@@ -11,8 +12,21 @@
 #include "boundary.h"
 #include "girth/fields.h"
 #include "girth/girth_field.h"
+#include "surface_point.h"
 
 namespace girth::bind {
+
+/// Whether a parameter has the same value.
+template <class Value>
+bool isSame(const Value& one, const Value& other) {
+  return one == other;
+}
+inline bool isSame(const std::vector<SurfacePoint>& one, const std::vector<SurfacePoint>& other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                    [](const SurfacePoint& a, const SurfacePoint& b) {
+                      return a.kind == b.kind && a.element == b.element && a.weights == b.weights;
+                    });
+}
 
 /// `FieldRequest` of protocol.ts.
 struct FieldRequest {
@@ -22,7 +36,7 @@ struct FieldRequest {
 
   bool operator==(const FieldRequest& other) const {
 #define GIRTH_FIELD_PARAMETER(keyword, value, fields, kind, member, least, greatest, words) \
-  if (!(options.member == other.options.member)) return false;
+  if (!isSame(options.member, other.options.member)) return false;
 #include "girth/fields.def"
     return name == other.name;
   }
@@ -39,6 +53,10 @@ inline void take(const emscripten::val& given, unsigned& parameter) {
 inline void take(const emscripten::val& given, DistanceMethod& parameter) {
   parameter =
       given.as<std::string>() == "exact" ? DistanceMethod::Exact : DistanceMethod::FastMarching;
+}
+
+inline void take(const emscripten::val& given, std::vector<SurfacePoint>& parameter) {
+  parameter = curveOf(given);
 }
 
 inline FieldRequest requestOf(const emscripten::val& given) {

@@ -350,6 +350,7 @@ test('what cannot be searched is refused, and a signal stops it', async () => {
 function fileOfCommand(model: string, name: string, format: string, ...words: string[]): string {
   const output = join(scratch, `written.${format}`);
   writeFileSync(join(scratch, 'model.obj'), model);
+  writeFileSync(join(scratch, 'pairs.csv'), '0,60\n');
   execFileSync(command, [name, 'model.obj', ...words, '-o', output, '--force'], {
     cwd: scratch,
     stdio: 'ignore',
@@ -371,7 +372,12 @@ test('what was found is written as the command writes it, byte by byte', async (
       const [limbs, bottleneck] = [await mesh.limbs(igf), await mesh.bottleneck(igf, 0, 60)];
       const handles = await holed.handles();
       const sections = await mesh.sections([1, 0, 0], [0, 1.5]);
+      const pairs = [{ start: 0, end: 60 }];
+      const distances = await mesh.distances({ pairs, paths: true });
       const files: Record<string, string> = {};
+      for (const format of ['csv', 'json'] as const) {
+        files[`distance ${format}`] = latin(await mesh.write(distances, format));
+      }
       for (const format of ['csv', 'json', 'obj', 'glb'] as const) {
         files[`necks ${format}`] = latin(await mesh.write(necks, format));
         files[`handles ${format}`] = latin(await holed.write(handles, format));
@@ -411,10 +417,11 @@ test('what was found is written as the command writes it, byte by byte', async (
     const [name = '', format = '', ...words] = asked.split(' ');
     const ends = name === 'bottleneck' ? ['0', '60'] : [];
     if (name === 'section') ends.push(...'--along x --at-height 0 --at-height 1.5'.split(' '));
+    if (name === 'distance') ends.push('--between', 'pairs.csv', '--paths');
     const model = name === 'handles' ? ring : body;
     expect(written === fileOfCommand(model, name, format, ...ends, ...words), asked).toBe(true);
   }
-  expect(Object.keys(mine.files)).toHaveLength(20);
+  expect(Object.keys(mine.files)).toHaveLength(22);
   expect(mine.rows).toBe(1);
   expect(mine.codes).toEqual(['USAGE', 'INVALID_POINT', 'USAGE', 'INVALID_POINT', 'USAGE']);
 });

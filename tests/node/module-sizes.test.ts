@@ -12,8 +12,8 @@ test.each([
   ['girth-files', 315_000],
   ['girth', 120_000],
   ['girth-fields', 180_000],
-  ['girth-threads', 245_000],
-  ['girth-analysis', 690_000],
+  ['girth-threads', 250_000],
+  ['girth-analysis', 700_000],
   ['girth-studies', 315_000],
 ])('%s.wasm is at most %i bytes', (name, most) => {
   const { length } = gzipSync(readFileSync(join(folder, `${name}.wasm`)), { level: 9 });

@@ -189,3 +189,30 @@ def test_progress_and_stopping():
     for call in (mesh.necks, mesh.handles):
         with pytest.raises(Stop):
             call(progress=stop)
+
+
+def test_distances_between_pairs_are_those_of_paths(command, model, tmp_path):
+    mesh = pygirth.load(model)
+    pairs = [(0, 20), (3, (5, (0.25, 0.25, 0.5)))]
+    found = mesh.distances(pairs, paths=True)
+    (tmp_path / "pairs.csv").write_text("0,20\n3,5:0.25,0.25,0.5\n")
+    wanted = command("distance", model, "--between", tmp_path / "pairs.csv", "--paths", as_json=True)
+    assert len(found.distances) == 2
+    for pair, one, other in zip(pairs, found.distances, wanted["distances"]):
+        path = mesh.path(*pair)
+        assert one.length == path.length == other["length"] and one.straight == other["straight"]
+        np.testing.assert_array_equal(one.points, path.points)
+        assert one.points.tolist() == [point["position"] for point in other["points"]]
+        np.testing.assert_array_equal(one.start, mesh.vertices[pair[0]])
+    assert not len(mesh.distances(pairs).distances[0].points)
+    assert repr(found) == "<pygirth.Distances: 2 distances>"
+
+
+def test_the_field_of_distances_is_that_of_geodesics():
+    mesh = pygirth.Mesh(*waists())
+    sources = [2, (7, (0.5, 0.25, 0.25))]
+    for radius in (None, 3.0):
+        field = mesh.field("distance", from_=sources, radius=radius)
+        wanted = mesh.geodesics(sources, radius=np.inf if radius is None else radius)
+        np.testing.assert_array_equal(field.values, wanted.values)
+    np.testing.assert_array_equal(mesh.field("distance", from_=3), mesh.geodesics(3))

@@ -1,6 +1,7 @@
 """Closed forms, and the same bits as the command."""
 
 import inspect
+import keyword
 
 import numpy as np
 import pygirth
@@ -283,9 +284,10 @@ def test_distances_of_the_command(model, command, repository):
 def test_parameters_of_fields_are_keywords_with_the_defaults_of_cpp():
     keywords = inspect.signature(pygirth.Mesh.field).parameters
     for name in pygirth.FIELDS:
-        for keyword in _girth.field_parameters(name):
-            # A keyword of Mesh.igf alone is no keyword of Mesh.field.
-            assert keyword == "persistence" or keyword in keywords
+        for parameter in _girth.field_parameters(name):
+            # A keyword of Mesh.igf alone is no keyword of Mesh.field; words of Python have a line behind.
+            own = parameter + "_" if keyword.iskeyword(parameter) else parameter
+            assert parameter == "persistence" or own in keywords
     mesh = pygirth.Mesh(*prism(4, length=4.0, rings=4))
     plain = mesh.field("sdf").values
     assert np.array_equal(plain, mesh.field("sdf", rays=30, cone=120).values)

@@ -128,3 +128,44 @@ export function membersOf(struct, body, file) {
     return { how, name, type: declared.type, comment: declared.comment };
   });
 }
+
+/**
+ * A function of the public headers: its header and its comment.
+ * @param {string} name
+ */
+export function functionOf(name) {
+  const pattern = new RegExp(`((?:^///.*\\n)+)^GIRTH_EXPORT [^;{]*?\\b${name}\\(`, 'm');
+  for (const [file, text] of texts) {
+    const [, comment] = pattern.exec(text) ?? [];
+    if (comment !== undefined) return { file, comment: plain(comment) };
+  }
+  throw new Error(`no header has a function ${name} with a comment`);
+}
+
+/**
+ * The arguments of each use of a macro, as they are written; texts without their quotation marks.
+ * @param {string} table
+ * @param {string} macro
+ */
+export function entriesOf(table, macro) {
+  const text = read(table).replace(/^(\/\/|#).*(\\\n.*)*$/gm, '');
+  return [...text.matchAll(new RegExp(`^${macro}\\(`, 'gm'))].map((start) => {
+    const words = [''];
+    const rest = text.slice(start.index + start[0].length);
+    let depth = 0;
+    for (const [piece] of rest.matchAll(/"(?:[^"\\]|\\.)*"|[^]/g)) {
+      if (/[({]/.test(piece[0] ?? '')) ++depth;
+      if (/[)}]/.test(piece[0] ?? '') && --depth < 0) break;
+      if (piece === ',' && depth === 0) words.push('');
+      else
+        words[words.length - 1] += piece.startsWith('"') && depth === 0 ? JSON.parse(piece) : piece;
+    }
+    return words.map((word) => word.trim());
+  });
+}
+
+/** The table of analyses: names, structs and functions. */
+export const analyses = () =>
+  entriesOf(`${headers}/analyses.def`, 'GIRTH_ANALYSIS').map(
+    ([name = '', options = '', found = '', call = '']) => ({ name, options, found, call }),
+  );

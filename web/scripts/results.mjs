@@ -1,6 +1,6 @@
 // The types of results in TypeScript and Python, of what girth/describe lists and the headers say.
 
-import { descriptions, isExperimental, read, structOf, wordsOf } from './headers.mjs';
+import { analyses, descriptions, isExperimental, read, structOf, wordsOf } from './headers.mjs';
 
 /** Public names that differ from those of C++. */
 const publicNames = /** @type {Record<string, string>} */ ({
@@ -29,16 +29,29 @@ const pythonNames = /** @type {Record<string, string>} */ ({
 /** The class of a struct in Python. @param {string} struct */
 const pythonName = (struct) => pythonNames[struct] ?? publicName(struct);
 
+/** Structs, with those that their members are made of. @param {string[]} structs */
+function withEntries(structs) {
+  const all = descriptions();
+  const found = new Set(structs);
+  for (const struct of found) {
+    for (const { type } of all.find((one) => one.struct === struct)?.members ?? []) {
+      const [entry = ''] = /\w+(?=>*$)/.exec(type) ?? [];
+      if (all.some((one) => one.struct === entry)) found.add(entry);
+    }
+  }
+  return found;
+}
+
 /** Classes of Python that `results.py` extends by what is only there. */
-const pythonClasses = () =>
+const extendedInPython = () =>
   new Set(
-    [...read('cpp/python/pygirth/results.py').matchAll(/\b_members\.(\w+)/g)].map(
-      ([, name]) => name,
+    [...read('cpp/python/pygirth/results.py').matchAll(/\b_members\.([A-Z]\w+)/g)].map(
+      ([, name]) => name ?? '',
     ),
   );
 
-/** Structs that are given, not found: their types have options. */
-const given = new Set(['PrintLimits']);
+/** Structs that are given, not found. The type of `PrintLimits` is written by hand: it has options. */
+const given = () => withEntries(['PrintLimits', ...analyses().map(({ options }) => options)]);
 
 /** @typedef {ReturnType<typeof descriptions>[number]['members'][number]} Member */
 
@@ -72,7 +85,7 @@ const polyline =
   '/** x, y, z of its points, relative to `MeshGeometry.origin`. */\npolyline: Float32Array;\n';
 
 /** Comments in lines that are not too long. @param {string[]} paragraphs */
-function commentOf(...paragraphs) {
+export function commentOf(...paragraphs) {
   const [only = ''] = paragraphs;
   if (paragraphs.length === 1 && only.length < 90) return `/** ${only} */\n`;
   const lines = paragraphs.map((words) => words.replace(/(.{1,100})(?: |$)/g, ' * $1\n'));
@@ -81,7 +94,18 @@ function commentOf(...paragraphs) {
 
 /** All results, with what their members are in TypeScript. */
 export function results() {
-  const all = descriptions().filter(({ struct }) => !given.has(struct));
+  const without = given();
+  return typed(descriptions().filter(({ struct }) => !without.has(struct)));
+}
+
+/** The options of analyses, in the same way. */
+export function options() {
+  const all = withEntries(analyses().map(({ options }) => options));
+  return typed(descriptions().filter(({ struct }) => all.has(struct)));
+}
+
+/** @param {ReturnType<typeof descriptions>} all */
+function typed(all) {
   const known = new Set(all.map(({ struct }) => struct));
   return all.map(({ struct, members }) => ({
     struct,
@@ -153,7 +177,7 @@ const pythonTypes = /** @type {Record<string, [string, string?]>} */ ({
 });
 
 /** @param {string} name */
-const snakeCase = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
+export const snakeCase = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 
 /** A member as Python has it. @param {ReturnType<typeof results>[number]['members'][number]} member */
 function pythonMember({ how, name, type, comment, typescript, isEnumeration }) {
@@ -162,6 +186,9 @@ function pythonMember({ how, name, type, comment, typescript, isEnumeration }) {
   const [annotation, words = annotation] = isEnumeration
     ? ['str']
     : (pythonTypes[type] ?? (entry ? [`list["${ofClass}"]`, `list of ${ofClass}`] : []));
+  if (/^(from|in|is|class|with|global|lambda)$/.test(name)) {
+    throw new Error(`${name} is no name of a member in Python`);
+  }
   if (annotation === undefined) throw new Error(`${name} has a type that Python has not: ${type}`);
   const columns = /** @type {Record<string, string>} */ ({
     GirthProfile: 'GirthStation',
@@ -194,14 +221,19 @@ function columnsOf(struct) {
 }
 
 /** Names of members as Python has them. @param {string} text */
-const inPython = (text) => text.replace(/`([a-z]\w*)`/g, (_, name) => `\`\`${snakeCase(name)}\`\``);
+export const inPython = (text) =>
+  text.replace(/`([a-z]\w*)`/g, (_, name) => `\`\`${snakeCase(name)}\`\``);
 
 /** @param {string} text @param {string} indent */
-const wrapped = (text, indent) =>
+export const wrapped = (text, indent) =>
   text.replace(new RegExp(`(.{1,${96 - indent.length}})(?: |$)`, 'g'), `${indent}$1\n`);
 
 export function pythonText() {
-  const wanted = pythonClasses();
+  const hand = extendedInPython();
+  const made = [...withEntries(analyses().map(({ found }) => found))]
+    .map(pythonName)
+    .filter((name) => !hand.has(name));
+  const wanted = new Set([...hand, ...made]);
   const classes = results().flatMap(({ struct, comment, members }) => {
     const name = pythonName(struct);
     if (!wanted.has(name)) return [];
@@ -234,8 +266,15 @@ from typing import Any, Optional
 
 import numpy as np
 
+from pygirth._result import Result
 
-class _Members:
+__all__ = [${made
+    .sort()
+    .map((name) => `"${name}"`)
+    .join(', ')}]
+
+
+class _Members(Result):
     #: The classes of the entries of lists, by member.
     _entries: dict[str, str] = {}
 
@@ -246,6 +285,12 @@ class _Members:
         for member, name in self._entries.items():
             entry = getattr(results, name)
             setattr(self, member, [entry(one) for one in found[member]])
+
+    def _line(self) -> str:
+        found = self.__dict__.items()
+        counts = [f"{len(self.__dict__[name])} {name}" for name in self._entries]
+        numbers = [f"{name} {value:.6g}" for name, value in found if isinstance(value, float)]
+        return ", ".join(counts + numbers)
 
 
 ${classes.join('\n\n')}`;

@@ -1,4 +1,4 @@
-// Makes the tables of TypeScript and of documents from those in C++ (`fields.def`, `length_units.def`, `describe/`), and the
+// Makes the tables of TypeScript and of documents from those in C++ (`fields.def`, `analyses.def`, `length_units.def`, `describe/`), and the
 // manual of the element's attributes from their rules: `npm run build:tables`.
 
 import { writeFileSync } from 'node:fs';
@@ -6,32 +6,12 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { format } from 'oxfmt';
 import { attributes } from './element-manifest.mjs';
-import { headers, read, structOf } from './headers.mjs';
+import { entriesOf, headers, read, structOf } from './headers.mjs';
 import { optionNamesText } from './option-names.mjs';
+import { pythonMethods, typeScriptCalls, typeScriptMethods } from './analyses.mjs';
+import { pythonFields } from './python-fields.mjs';
 import { documentTables, pythonText, resultsText } from './results.mjs';
 import { repository } from './run.mjs';
-
-/**
- * The arguments of each use of a macro, as they are written; texts without their quotation marks.
- * @param {string} table
- * @param {string} macro
- */
-function entriesOf(table, macro) {
-  const text = read(table).replace(/^(\/\/|#).*(\\\n.*)*$/gm, '');
-  return [...text.matchAll(new RegExp(`^${macro}\\(`, 'gm'))].map((start) => {
-    const words = [''];
-    const rest = text.slice(start.index + start[0].length);
-    let depth = 0;
-    for (const [piece] of rest.matchAll(/"(?:[^"\\]|\\.)*"|[^]/g)) {
-      if (/[({]/.test(piece[0] ?? '')) ++depth;
-      if (/[)}]/.test(piece[0] ?? '') && --depth < 0) break;
-      if (piece === ',' && depth === 0) words.push('');
-      else
-        words[words.length - 1] += piece.startsWith('"') && depth === 0 ? JSON.parse(piece) : piece;
-    }
-    return words.map((word) => word.trim());
-  });
-}
 
 /**
  * The default of a member of a struct, as C++ has it.
@@ -63,13 +43,29 @@ export function fields() {
   return [...vertex, ...spectral];
 }
 
+/** The options of single fields that the table names, by their member of FieldOptions. */
+const ownOptions = () =>
+  Object.fromEntries(
+    entriesOf(`${headers}/fields.def`, 'GIRTH_FIELD_OPTIONS').map(([type = '', member = '']) => [
+      member,
+      { type, comment: `Options of '${member}'.` },
+    ]),
+  );
+
+/** A member of FieldOptions. @param {string} name */
+function fieldOption(name) {
+  const found = structOf('FieldOptions').members[name] ?? ownOptions()[name];
+  if (!found) throw new Error(`FieldOptions has no ${name}`);
+  return { byDefault: '', ...found };
+}
+
 /** Parameters of fields, with the comments and defaults of the structs that hold them. */
-function parameters() {
+export function parameters() {
   return entriesOf(`${headers}/fields.def`, 'GIRTH_FIELD_PARAMETER').map(
     ([keyword = '', , of = '', kind = '', path = '']) => {
       const [outer = '', inner] = path.split('.');
-      const holder = structOf('FieldOptions').members[outer];
-      const group = inner === undefined ? undefined : { name: outer, type: holder?.type ?? '' };
+      const holder = fieldOption(outer);
+      const group = inner === undefined ? undefined : { name: outer, type: holder.type };
       const member = group ? structOf(group.type).members[inner ?? ''] : holder;
       if (!member) throw new Error(`FieldOptions has no ${path}`);
       return { keyword, fields: of.split(' '), kind, path, group, ...member };
@@ -79,7 +75,9 @@ function parameters() {
 
 /** @param {{ kind: string, byDefault: string }} parameter */
 function defaultWords({ kind, byDefault }) {
-  if (kind === 'Distances') return "'fast-marching'";
+  if (kind === 'Method') return "'fast-marching'";
+  if (kind === 'Points') return 'the first vertex';
+  if (byDefault.includes('infinity')) return 'Infinity';
   if (kind !== 'Degrees') return byDefault;
   return `${byDefault}, ${Math.round((Number(byDefault) * 180e6) / Math.PI) / 1e6}°`;
 }
@@ -92,10 +90,12 @@ const commentOf = (words) =>
 
 /** @param {ReturnType<typeof parameters>[number]} parameter */
 const memberText = (parameter) => {
-  const type = parameter.kind === 'Distances' ? "'fast-marching' | 'exact'" : 'number';
+  const type = { Method: "'fast-marching' | 'exact'", Points: 'readonly SurfacePoint[]' }[
+    parameter.kind
+  ];
   const name = parameter.path.split('.').at(-1);
   const words = `${parameter.comment} Default: ${defaultWords(parameter)}.`;
-  return `${commentOf(words)}\n${name}?: ${type};\n`;
+  return `${commentOf(words)}\n${name}?: ${type ?? 'number'};\n`;
 };
 
 const unitWords = {
@@ -132,14 +132,16 @@ function fieldsText() {
   });
   const own = given.filter(({ group }) => !group);
   const grouped = groups.map((name) => {
-    const member = structOf('FieldOptions').members[name];
-    return `/** ${member?.comment} */\n${name}?: ${member?.type};\n`;
+    const member = fieldOption(name);
+    return `/** ${member.comment} */\n${name}?: ${member.type};\n`;
   });
   const record = (
     /** @type {(one: ReturnType<typeof fields>[number]) => unknown} */ valueOf,
     list = all,
   ) => `{ ${list.map((one) => `${one.name}: ${JSON.stringify(valueOf(one))}`).join(', ')} }`;
   return `${made('fields.def')}
+import type { SurfacePoint } from './points.js';
+
 /**
  * Fields that are computed vertex by vertex.
  *
@@ -313,6 +315,8 @@ export async function tables() {
     'web/src/kernel/types/defaults.ts': defaultsText(),
     'web/src/kernel/types/results.ts': resultsText(),
     'web/src/kernel/types/option-names.ts': optionNamesText(),
+    'web/src/kernel/types/analyses.ts': typeScriptCalls(),
+    'web/src/kernel/page/analyses.ts': typeScriptMethods(),
     'web/docs/outputs.md': documentText('web/docs/outputs.md'),
     'web/docs/embedding.md': documentText('web/docs/embedding.md'),
     'web/src/element/attribute-types.ts': attributeTypes(),
@@ -324,6 +328,8 @@ export async function tables() {
   return {
     ...Object.fromEntries(await Promise.all(formatted)),
     'cpp/python/pygirth/_members.py': pythonText(),
+    'cpp/python/pygirth/_analyses.py': pythonMethods(),
+    'cpp/python/pygirth/_fields.py': pythonFields(parameters()),
   };
 }
 

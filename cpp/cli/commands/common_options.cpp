@@ -1,6 +1,7 @@
 #include "commands/common_options.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "girth/parallel.h"
 #include "text/length_text.h"
@@ -20,8 +21,8 @@ void addMeasuringOptions(OptionTable& table, ModelOptions& preparing, unsigned& 
   table.add("--json", json, "Print everything as JSON");
 }
 
-Option& addLengthOption(OptionTable& table, const char* declaration, std::string& length,
-                        const char* text) {
+Option& addLengthOption(OptionTable& table, std::string_view declaration, std::string& length,
+                        std::string text) {
   // An empty one is a slip, such as a variable of a script that is not set: not the same as none.
   return table.onValue(
       declaration,
@@ -29,7 +30,7 @@ Option& addLengthOption(OptionTable& table, const char* declaration, std::string
         length = typed;
         return std::string(typed.empty() ? "the length is missing" : "");
       },
-      text);
+      std::move(text));
 }
 
 std::optional<Error> readLength(const std::string& text, const std::string& unit, double& length) {

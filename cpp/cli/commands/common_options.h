@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "girth/error.h"
 #include "girth/io/read_mesh.h"
@@ -21,8 +22,8 @@ void addMeasuringOptions(OptionTable& table, ModelOptions& preparing, unsigned& 
                          bool& json);
 
 /// Adds an option for a length as it is typed, with or without a unit.
-Option& addLengthOption(OptionTable& table, const char* declaration, std::string& length,
-                        const char* text);
+Option& addLengthOption(OptionTable& table, std::string_view declaration, std::string& length,
+                        std::string text);
 
 /// Reads such a length in a unit; leaves `length` as it is where none was given. Error: USAGE.
 std::optional<Error> readLength(const std::string& text, const std::string& unit, double& length);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "model/loading.h"
 #include "model/persistence.h"
 #include "model/spectral_field.h"
+#include "model/typed_point.h"
 #include "process/output.h"
 #include "process/report.h"
 #include "text/number_text.h"
@@ -39,8 +41,9 @@ struct Options {
   unsigned threads{0};
   bool json{false};
   FieldOptions field;
-  /// As typed: a length or a share.
-  std::string persistence;
+  /// Parameters as they were typed, whose values depend on the model: each is read once it is
+  /// loaded.
+  std::vector<std::function<std::optional<Error>(const io::LoadedMesh&)>> ofModel;
   SpectralFieldOptions spectral;
   /// How many of the most persistent maxima to list.
   std::uint32_t maxima{0};
@@ -72,12 +75,10 @@ Result<std::vector<ComputedField>> compute(const Options& options, const io::Loa
   if (info.isSpectral) {
     return computeSpectralField(options.name, options.spectral, options.model, mesh, unit);
   }
-  FieldOptions given = options.field;
-  if (options.name == "angle") {
-    noteLargeSurface(options.model, mesh, kRemeshFirst);
-    const auto persistence = persistenceOf(options.persistence, loaded);
-    if (!persistence) return persistence.error();
-    given.persistence = persistence.value();
+  const FieldOptions& given = options.field;
+  if (options.name == "angle") noteLargeSurface(options.model, mesh, kRemeshFirst);
+  for (const auto& read : options.ofModel) {
+    if (auto error = read(loaded)) return *std::move(error);
   }
   auto field = computeField(options.model, mesh, options.name, given, options.threads);
   if (!field) return field.error();
@@ -225,8 +226,10 @@ struct Parameter {
 // The kinds of the table.
 struct Count;
 struct Degrees;
-struct Distances;
 struct Length;
+struct Method;
+struct Persistence;
+struct Points;
 /// One of a kind.
 template <class Kind>
 struct Taken : Parameter {};
@@ -249,15 +252,46 @@ void addParameter(OptionTable& table, const Taken<Degrees>& of, double& member, 
       .range(of.least, of.greatest)
       .onlyFor("--field", of.ofFields());
 }
-void addParameter(OptionTable& table, const Taken<Distances>& of, DistanceMethod& member,
-                  Options&) {
+void addParameter(OptionTable& table, const Taken<Method>& of, DistanceMethod& member, Options&) {
   table
       .onFlag(
           of.declaration(), [&member] { member = DistanceMethod::Exact; }, of.text(""))
       .onlyFor("--field", of.ofFields());
 }
-void addParameter(OptionTable& table, const Taken<Length>& of, double&, Options& options) {
-  addPersistenceOption(table, options.persistence, "angle").onlyFor("--field", of.ofFields());
+void addParameter(OptionTable& table, const Taken<Persistence>& of, double& member,
+                  Options& options) {
+  const auto typed = std::make_shared<std::string>();
+  addPersistenceOption(table, *typed, "angle").onlyFor("--field", of.ofFields());
+  options.ofModel.emplace_back(
+      [typed, &member](const io::LoadedMesh& loaded) -> std::optional<Error> {
+        const auto persistence = persistenceOf(*typed, loaded);
+        if (!persistence) return persistence.error();
+        member = persistence.value();
+        return std::nullopt;
+      });
+}
+void addParameter(OptionTable& table, const Taken<Length>& of, double& member, Options& options) {
+  const auto typed = std::make_shared<std::string>();
+  addLengthOption(table, of.declaration(), *typed, of.text("")).onlyFor("--field", of.ofFields());
+  options.ofModel.emplace_back([typed, &member](const io::LoadedMesh& loaded) {
+    return readLength(*typed, loaded.unit, member);
+  });
+}
+void addParameter(OptionTable& table, const Taken<Points>& of, std::vector<SurfacePoint>& member,
+                  Options& options) {
+  const auto typed = std::make_shared<std::vector<TypedPoint>>();
+  const auto store = [typed](const std::string& text) { return readPoints(text, *typed); };
+  table.onValue(of.declaration(), store, of.text("the first vertex"))
+      .onlyFor("--field", of.ofFields());
+  options.ofModel.emplace_back(
+      [typed, &member, &options](const io::LoadedMesh& loaded) -> std::optional<Error> {
+        for (const TypedPoint& one : *typed) {
+          const auto point = surfacePoint(loaded, one, options.model, options.preparing);
+          if (!point) return point.error();
+          member.push_back(point.value());
+        }
+        return std::nullopt;
+      });
 }
 
 Run add(OptionTable& table) {
@@ -298,6 +332,8 @@ Run add(OptionTable& table) {
       "signatures 2.3 s, geoaverage and geofarthest 7.7 s.");
   table.example("girth field model.glb --field sdf -o thickness.csv",
                 "How thick the body is behind every vertex.");
+  table.example("girth field model.glb --field distance --from 12,88 -o distance.csv",
+                "How far each vertex is from the nearer of two; --from points.csv: of a file's.");
   table.example("girth field model.glb --field hks --maxima 10",
                 "The ten most persistent maxima of the heat kernel signature.");
   return [options] { return run(*options); };

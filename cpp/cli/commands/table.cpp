@@ -5,10 +5,10 @@
 namespace girth::cli {
 
 std::span<const Command* const> allCommands() {
-  static constexpr std::array kAll{&kInfo,     &kIgf,       &kLoop,       &kRemesh,  &kField,
-                                   &kTips,     &kLimbs,     &kNecks,      &kHandles, &kCut,
-                                   &kSection,  &kSegments,  &kBottleneck, &kProfile, &kParts,
-                                   &kRetrieve, &kSignature, &kCompare,    &kStudy,   &kHelp};
+  static constexpr std::array kAll{
+#define GIRTH_COMMAND(name) &k##name,
+#include "commands/commands.def"
+  };
   return kAll;
 }
 

@@ -5,9 +5,8 @@
 
 namespace girth::cli {
 
-extern const Command kInfo, kIgf, kLoop, kRemesh, kField, kTips, kLimbs, kNecks, kHandles, kCut,
-    kSection, kSegments, kBottleneck, kProfile, kParts, kRetrieve, kSignature, kCompare, kStudy,
-    kHelp;
+#define GIRTH_COMMAND(name) extern const Command k##name;
+#include "commands/commands.def"
 
 /// Under `girth study`.
 extern const Command kStudyAccuracy, kStudyRobustness;

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <sstream>
 #include <system_error>
 
+#include "files/read_file.h"
 #include "model/fewer_triangles.h"
 #include "model/loading.h"
+#include "process/files.h"
 #include "process/report.h"
 #include "text/number_text.h"
 
@@ -39,6 +42,25 @@ Result<std::array<double, 3>> sharesOnSurface(const io::LoadedMesh& loaded, Inde
     shares[static_cast<std::size_t>(corner - corners.begin())] = point.weights[k];
   }
   return shares;
+}
+
+/// The points of one row. A face's shares have commas between, too.
+std::string readRow(std::string line, std::vector<TypedPoint>& points) {
+  for (char& c : line) {
+    if (c == ',' || c == ';' || c == '\t' || c == '\r' || c == '"') c = ' ';
+  }
+  std::istringstream words(line);
+  for (std::string word; words >> word;) {
+    if (word.find(':') != std::string::npos) {
+      std::string second, third;
+      words >> second >> third;
+      word += "," + second + "," + third;
+    }
+    if (std::string problem = readPoint(word, points.emplace_back()); !problem.empty()) {
+      return problem;
+    }
+  }
+  return "";
 }
 
 }  // namespace
@@ -75,6 +97,44 @@ std::string readPoint(const std::string& text, TypedPoint& point) {
   }
   (colon == std::string::npos ? point.vertex : point.face) = element;
   return colon == std::string::npos ? "" : readWeights(text.substr(colon + 1), point.weights);
+}
+
+std::string readPoints(const std::string& text, std::vector<TypedPoint>& points) {
+  const bool isTyped = !text.empty() && (io::isDigit(text.front()) || text.front() == '-');
+  const std::string problem = isTyped ? readRow(text, points) : std::string();
+  // A file's name may begin with a digit, too.
+  if (isTyped && (problem.empty() || !isFile(text))) return problem;
+  points.clear();
+  const auto rows = readPointRows(text);
+  if (!rows) return rows.error().message;
+  for (const auto& row : rows.value()) points.insert(points.end(), row.begin(), row.end());
+  return points.empty() ? "\"" + text + "\" has no points" : "";
+}
+
+Result<std::vector<std::vector<TypedPoint>>> readPointRows(const std::string& path) {
+  const auto content = io::readFile(path);
+  if (!content) {
+    Error error = content.error();
+    error.file = path;
+    return error;
+  }
+  std::istringstream lines(
+      std::string(reinterpret_cast<const char*>(content.value().data()), content.value().size()));
+  std::vector<std::vector<TypedPoint>> rows;
+  std::int64_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const std::size_t first = line.find_first_not_of(" \t\r\"");
+    if (first == std::string::npos) continue;
+    if (number == 1 && !io::isDigit(line[first]) && line[first] != '-') continue;
+    if (const std::string problem = readRow(line, rows.emplace_back()); !problem.empty()) {
+      Error error = makeError(ErrorCode::MalformedFile, number,
+                              "row " + std::to_string(number) + ": " + problem);
+      error.file = path;
+      return error;
+    }
+  }
+  return rows;
 }
 
 Result<SurfacePoint> surfacePoint(const io::LoadedMesh& loaded, const TypedPoint& point,

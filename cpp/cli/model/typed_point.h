@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "girth/error.h"
 #include "girth/io/read_mesh.h"
@@ -30,6 +31,15 @@ std::string readWeights(const std::string& text, std::array<double, 3>& weights)
 
 /// "12": a vertex; "7:0.2,0.3,0.5": a point of a face. Returns what is wrong with it.
 std::string readPoint(const std::string& text, TypedPoint& point);
+
+/// Points in one text, with commas between, or the name of a file that has them. Returns what is
+/// wrong with it; empty: nothing.
+std::string readPoints(const std::string& text, std::vector<TypedPoint>& points);
+
+/// The points of a file, row by row, as they are typed, with commas, semicolons or white space
+/// between them. Empty rows and a header, whose first letter is none of a point's, are passed over.
+/// Errors: those of reading; MALFORMED_FILE with the row.
+Result<std::vector<std::vector<TypedPoint>>> readPointRows(const std::string& path);
 
 /// The point of the surface that is meant. `path`, `preparing`: of the model, which is read again
 /// where a face may have been turned over. Errors: VERTEX_OUT_OF_RANGE, INVALID_POINT.

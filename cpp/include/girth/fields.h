@@ -57,6 +57,9 @@ struct FieldOptions {
   ThicknessOptions thickness;
   /// How 'geoaverage' and 'geofarthest' measure distances.
   DistanceMethod distances{DistanceMethod::FastMarching};
+  // Those of single fields that the table names.
+#define GIRTH_FIELD_OPTIONS(Options, member) Options member{};
+#include "girth/fields.def"
 };
 
 /// A field vertex by vertex: numbers, or the girth with its kinds.

@@ -2,6 +2,7 @@
 // girth/io/, what repeats the paper's studies in girth/study/.
 #pragma once
 
+#include "girth/analyses.def"
 #include "girth/barcode.h"
 #include "girth/bottleneck.h"
 #include "girth/cut_surface.h"

@@ -10,6 +10,7 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "girth/analyses.def"
 #include "girth/describe/limbs.h"
 #include "girth/describe/parts.h"
 #include "girth/describe/persistent_maxima.h"
@@ -18,6 +19,7 @@
 #include "girth/fields.h"
 #include "girth/io/write_segments.h"
 #include "girth/segments.h"
+#include "options_from.h"
 #include "result_dict.h"
 #include "surface.h"
 #include "working.h"
@@ -189,9 +191,32 @@ py::dict printCheckOf(const Shared& surface, double tubeDiameter, double wallThi
   return dictOf(surface->loaded(), found);
 }
 
+template <Described Options, Described Found>
+py::dict resultOf(const Shared& surface, const py::handle& given, const Running& running,
+                  Result<Found> (*analysis)(const SurfaceMesh&, const Options&,
+                                            const ExecutionContext&)) {
+  Options options;
+  OptionsFrom().read(given, options);
+  const auto found =
+      compute<Found>(running, [surface, options, analysis](const ExecutionContext& context) {
+        return analysis(surface->mesh(), options, context);
+      });
+  return dictOf(surface->loaded(), found);
+}
+
+/// The result of an analysis of girth/analyses.def by its name. `options`: in their order.
+py::dict analyse(const std::string& name, const Shared& surface, const py::tuple& options,
+                 const Running& running) {
+#define GIRTH_ANALYSIS(analysis, Options, Found, function) \
+  if (name == #analysis) return resultOf(surface, options, running, function);
+#include "girth/analyses.def"
+  throwError(makeError(ErrorCode::Usage, -1, "there is no analysis '" + name + "'"));
+}
+
 }  // namespace
 
 void bindAnalysis(py::module_& module) {
+  module.def("analyse", &analyse);
   module.def("tips", &tipsOf);
   module.def("limbs", &limbsOf);
   module.def("parts", &partsByThresholds);

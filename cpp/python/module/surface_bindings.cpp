@@ -189,13 +189,19 @@ struct Degrees {
     parameter = given.cast<double>() * std::numbers::pi / 180;
   }
 };
-struct Distances {
+struct Method {
   static void take(const py::object& given, DistanceMethod& parameter) {
     parameter = given.cast<bool>() ? DistanceMethod::Exact : DistanceMethod::FastMarching;
   }
 };
 struct Length {
   static void take(const py::object& given, double& parameter) { parameter = given.cast<double>(); }
+};
+struct Persistence : Length {};
+struct Points {
+  static void take(const py::object& given, std::vector<SurfacePoint>& parameter) {
+    for (const Point& one : given.cast<std::vector<Point>>()) parameter.push_back(pointOf(one));
+  }
 };
 
 /// (values, method) of a field but a spectral one, with the parameters that are given, by their

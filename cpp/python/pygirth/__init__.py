@@ -6,7 +6,8 @@
 >>> m.tips().apexes
 """
 
-from pygirth import _girth, collection, errors, results
+from pygirth import _girth, _members, collection, errors, results
+from pygirth._members import *
 from pygirth._show import Shown, show
 from pygirth.errors import (
     GirthError,
@@ -101,3 +102,4 @@ __all__ = [
     "results",
     "show",
 ]
+__all__ += _members.__all__

@@ -98,6 +98,9 @@ def load(
     running: Running,
     /,
 ) -> tuple[Surface, _Floats, _Numbers]: ...
+def analyse(
+    name: str, surface: Surface, options: tuple, running: Running, /
+) -> dict[str, Any]: ...
 def tips(
     surface: Surface, persistence: float, running: Running, /
 ) -> dict[str, Any]: ...

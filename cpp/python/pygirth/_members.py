@@ -6,8 +6,12 @@ from typing import Any, Optional
 
 import numpy as np
 
+from pygirth._result import Result
 
-class _Members:
+__all__ = ["Distance", "Distances"]
+
+
+class _Members(Result):
     #: The classes of the entries of lists, by member.
     _entries: dict[str, str] = {}
 
@@ -18,6 +22,12 @@ class _Members:
         for member, name in self._entries.items():
             entry = getattr(results, name)
             setattr(self, member, [entry(one) for one in found[member]])
+
+    def _line(self) -> str:
+        found = self.__dict__.items()
+        counts = [f"{len(self.__dict__[name])} {name}" for name in self._entries]
+        numbers = [f"{name} {value:.6g}" for name, value in found if isinstance(value, float)]
+        return ", ".join(counts + numbers)
 
 
 class Bottleneck(_Members):
@@ -62,6 +72,47 @@ class Bottleneck(_Members):
     points: np.ndarray
     way: np.ndarray
     _curve: tuple[np.ndarray, np.ndarray]
+
+
+class Distance(_Members):
+    """The distance between two points.
+
+    Attributes
+    ----------
+    start : ndarray of float64, shape (3,)
+        The first point.
+    end : ndarray of float64, shape (3,)
+        The second point.
+    length : float
+        Length of a shortest path along the surface, in model units; infinite where the points
+        lie in different components.
+    straight : float
+        Length of the straight line between them, in model units.
+    points : ndarray of float64, shape (k, 3)
+        The path: the edges crossed and vertices passed in order. Between neighbours it is
+        straight inside one face or along one edge. Empty where paths were not asked for, or
+        there is none.
+    """
+
+    start: np.ndarray
+    end: np.ndarray
+    length: float
+    straight: float
+    points: np.ndarray
+    _curve: tuple[np.ndarray, np.ndarray]
+
+
+class Distances(_Members):
+    """Distances between pairs of points.
+
+    Attributes
+    ----------
+    distances : list of Distance
+        In the order of the pairs.
+    """
+
+    _entries = {"distances": "Distance"}
+    distances: list["Distance"]
 
 
 class Handle(_Members):

@@ -8,6 +8,7 @@ from typing import Any, Iterable, Optional, Sequence, Union
 import numpy as np
 
 from pygirth import _girth
+from pygirth._analyses import Analyses
 from pygirth._arguments import (
     Progress,
     face_count,
@@ -20,6 +21,7 @@ from pygirth._arguments import (
     vertices_of,
     whole_number,
 )
+from pygirth._fields import Fields
 from pygirth._models import arrays_of, polydata_of
 from pygirth.errors import input_error
 from pygirth.results import (
@@ -63,12 +65,12 @@ _DEFAULTS = _girth.defaults()
 _READERS = {
     "Count": lambda value, name: min(max(whole_number(value, name), 0), 2**31),
     "Degrees": real_number,
-    "Distances": lambda value, name: bool(value),
+    "Method": lambda value, name: bool(value),
     "Length": real_number,
 }
 
 
-class Mesh:
+class Mesh(Analyses, Fields):
     """A triangle mesh as a surface on which lengths are measured.
 
     The surface is prepared as the reading of files does it: equal vertices become one, faces
@@ -824,55 +826,26 @@ class Mesh:
         curves = [loop._curve for loop in given]
         return Cut(*_girth.cut(self._surface, curves, bool(cap), running(None, progress)))
 
-    def field(
+    def _field(
         self,
         name: str,
-        *,
-        rays: Optional[int] = None,
-        cone: Optional[float] = None,
-        sharp: Optional[float] = None,
-        exact: bool = False,
-        pairs: Optional[int] = None,
-        times: Optional[Sequence[float]] = None,
-        threads: Optional[int] = None,
-        progress: Progress = None,
+        given: dict[str, Any],
+        pairs: Optional[int],
+        times: Optional[Sequence[float]],
+        threads: Optional[int],
+        progress: Progress,
     ) -> Field:
-        """A function with one value for each vertex, or several.
-
-        Parameters
-        ----------
-        name : str
-            One of `FIELDS`; the documentation of the outputs states what each is.
-        rays, cone : optional
-            Of ``'sdf'``: rays sent from each vertex, 1 to 10,000, and the full opening of their
-            cone in degrees.
-        sharp : float, optional
-            Of ``'thickness'``: faces that meet at less than this angle, in degrees within the body,
-            face each other; above 0 and below 90.
-        exact : bool, optional
-            Of ``'geoaverage'`` and ``'geofarthest'``: exact distances instead of fast marching.
-        pairs : int, optional
-            Of ``'hks'``, ``'sihks'`` and ``'wks'``: eigenpairs, 2 to 100,000.
-        times : sequence of float, optional
-            Of ``'hks'``: diffusion times as shares of the area.
-        threads, progress
-            As of `igf`; signatures use one thread.
-
-        Returns
-        -------
-        Field
-            Its values have the shape (n,), of signatures (n, d).
-        """
         one_of(name, "the field", tuple(FIELDS))
         run = running(threads, progress)
         if name == "igf":
             return self.igf(threads=threads, progress=progress)
-        given = {"rays": rays, "cone": cone, "sharp": sharp, "exact": exact}
         if _girth.is_spectral(name):
             values, made = self._spectral_values(name, pairs, times, run)
         else:
             parameters = {
-                keyword: _READERS[kind](given[keyword], keyword)
+                keyword: self._points(given[keyword])
+                if kind == "Points"
+                else _READERS[kind](given[keyword], keyword)
                 for keyword, kind in _girth.field_parameters(name).items()
                 if given.get(keyword) is not None
             }
@@ -917,11 +890,7 @@ class Mesh:
         Field
             In model units; infinite in other components.
         """
-        if _is_point(source):
-            sources = [self._point(source)]
-        else:
-            sources = [self._point(one) for one in source]  # type: ignore[union-attr]
-        values = self._surface.distances(sources, real_number(radius, "radius"), running(1, None))
+        values = self._surface.distances(self._points(source), real_number(radius, "radius"), running(1, None))
         return Field(self, "distance", self._by_row(values, np.nan), self._unit, "exact")
 
     def path(self, a: Point, b: Point) -> Path:
@@ -1092,6 +1061,10 @@ class Mesh:
             return self._face_point(*point)
         return self._vertex(point), []
 
+    def _points(self, given: Any) -> list[tuple[int, list[float]]]:
+        """One point or several, as the core takes them."""
+        return [self._point(one) for one in ([given] if _is_point(given) else given)]
+
     def _vertex(self, vertex: Any) -> int:
         number = whole_number(vertex, "the vertex", "VERTEX_OUT_OF_RANGE")
         count = len(self._vertex_of_row)
@@ -1168,7 +1141,7 @@ def _read_only(array: np.ndarray) -> np.ndarray:
 def _is_point(value: Any) -> bool:
     if isinstance(value, tuple):
         return len(value) == 2 and np.ndim(value[0]) == 0 and np.ndim(value[1]) == 1
-    return np.ndim(value) == 0
+    return not isinstance(value, list) and np.ndim(value) == 0
 
 
 def _thresholds(girth: Optional[float], thickness: Optional[float]) -> list[float]:

@@ -13,6 +13,8 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from pygirth import _members
+from pygirth._members import *
+from pygirth._result import Result
 
 if TYPE_CHECKING:
     from pygirth.mesh import Mesh
@@ -50,23 +52,14 @@ __all__ = [
     "Tips",
     "WeakPlace",
 ]
+__all__ += _members.__all__
 
 
 def _unit(unit: str) -> str:
     return f" {unit}" if unit else ""
 
 
-class _Result:
-    """Shows its class and its one line."""
-
-    def __repr__(self) -> str:
-        return f"<pygirth.{type(self).__name__}: {self._line()}>"
-
-    def _line(self) -> str:
-        raise NotImplementedError
-
-
-class Field(NDArrayOperatorsMixin, _Result):
+class Field(NDArrayOperatorsMixin, Result):
     """Values at the vertices of a mesh; an array wherever NumPy takes one.
 
     Arithmetic, comparison, indexing and iteration are those of `values`, and give plain arrays.
@@ -256,7 +249,7 @@ class RefinedGirth(Girth):
         return polygons
 
 
-class Loop(_Result):
+class Loop(Result):
     """The shortest geodesic loop based at a point.
 
     Attributes
@@ -286,7 +279,7 @@ class Loop(_Result):
         return f"{self.kind}, length {self.length:.6g}, {len(self.points)} points"
 
 
-class Barcode(_Result):
+class Barcode(Result):
     """The saddles of the distance from a point, by their distance, and how long they last.
 
     Attributes
@@ -342,7 +335,7 @@ class Barcode(_Result):
         return f"{len(self)} saddles, up to the persistence {self.max_persistence:.4g}"
 
 
-class Path(_Result):
+class Path(Result):
     """A shortest path between two points.
 
     Attributes
@@ -361,17 +354,17 @@ class Path(_Result):
         return f"length {self.length:.6g}, {len(self.points)} points"
 
 
-class Neck(_members.Neck, _Result):
+class Neck(_members.Neck):
     def _line(self) -> str:
         return f"length {self.length:.6g}, prominence {self.prominence:.4g}"
 
 
-class Handle(_members.Handle, _Result):
+class Handle(_members.Handle):
     def _line(self) -> str:
         return f"{self.kind}, length {self.length:.6g}"
 
 
-class _Loops(_Result):
+class _Loops(Result):
     """A sequence of loops, and how many could not be found."""
 
     _name = "loops"
@@ -427,7 +420,7 @@ class Handles(_Loops):
     _name = "handles"
 
 
-class RemovedHandle(_Result):
+class RemovedHandle(Result):
     """A handle or tunnel that was taken away: along its loop the surface was cut and closed.
 
     Attributes
@@ -449,7 +442,7 @@ class RemovedHandle(_Result):
         return f"{self.kind}, length {self.length:.6g}"
 
 
-class HandleRemoval(_members.HandleRemoval, _Result):
+class HandleRemoval(_members.HandleRemoval):
     __doc__ = f"""{_members.HandleRemoval.__doc__}mesh : Mesh
         The surface that is left, with vertices and faces of its own.
     removed : list of RemovedHandle
@@ -467,30 +460,27 @@ class HandleRemoval(_members.HandleRemoval, _Result):
         return f"{len(self.removed)} removed, genus {self.genus_before} to {self.genus_after}"
 
 
-class Maximum(_members.Maximum, _Result):
+class Maximum(_members.Maximum):
     def _line(self) -> str:
         return f"vertex {self.vertex}, value {self.value:.6g}, persistence {self.persistence:.4g}"
 
 
-class WeakPlace(_members.WeakPlace, _Result):
+class WeakPlace(_members.WeakPlace):
     def _line(self) -> str:
         return f"{self.kind}, {self.measure} {self.least:.4g}"
 
 
-class PrintCheck(_members.PrintCheck, _Result):
-    def __init__(self, found: dict) -> None:
-        super().__init__({**found, "places": [WeakPlace(one) for one in found["places"]]})
-
+class PrintCheck(_members.PrintCheck):
     def _line(self) -> str:
         return f"{len(self.places)} weak places, passes from {self.passing_scale:.4g}"
 
 
-class Bottleneck(_members.Bottleneck, _Result):
+class Bottleneck(_members.Bottleneck):
     def _line(self) -> str:
         return f"{self.kind}, girth {self.girth:.6g}"
 
 
-class Profile(_Result):
+class Profile(Result):
     """The girth along a path.
 
     Attributes
@@ -521,12 +511,12 @@ class Profile(_Result):
         )
 
 
-class AxisLoop(_members.AxisLoop, _Result):
+class AxisLoop(_members.AxisLoop):
     def _line(self) -> str:
         return f"distance {self.distance:.4g}, girth {self.girth:.6g}"
 
 
-class CutPart(_Result):
+class CutPart(Result):
     """A part of a mesh that was cut.
 
     Attributes
@@ -554,7 +544,7 @@ class CutPart(_Result):
         return f"{len(self.faces)} faces, area {self.area:.6g}"
 
 
-class Cut(_Result):
+class Cut(Result):
     """What is left of a mesh that was cut, largest part first; a sequence of `CutPart`.
 
     Attributes
@@ -582,27 +572,27 @@ class Cut(_Result):
         return f"{len(self)} parts, areas {[float(f'{part.area:.4g}') for part in self.parts]}"
 
 
-class Contour(_members.Contour, _Result):
+class Contour(_members.Contour):
     def _line(self) -> str:
         return f"{'closed' if self.closed else 'open'}, {len(self.points)} points"
 
 
-class SectionCurve(_members.SectionCurve, _Result):
+class SectionCurve(_members.SectionCurve):
     def _line(self) -> str:
         return f"{'closed' if self.closed else 'open'}, perimeter {self.perimeter:.6g}"
 
 
-class Section(_members.Section, _Result):
+class Section(_members.Section):
     def _line(self) -> str:
         return f"{len(self.curves)} curves, perimeter {self.perimeter:.6g}, area {self.area:.6g}"
 
 
-class Tip(_members.Tip, _Result):
+class Tip(_members.Tip):
     def _line(self) -> str:
         return f"{len(self.vertices)} vertices, apex {self.apex}, jump {self.jump:.4g}"
 
 
-class Tips(_Result):
+class Tips(Result):
     """The tips of a mesh, largest jump first; a sequence of `Tip`.
 
     Attributes
@@ -637,17 +627,17 @@ class Tips(_Result):
         return f"{len(self)} tips, apexes {self.apexes.tolist()}"
 
 
-class Limb(_members.Limb, _Result):
+class Limb(_members.Limb):
     def _line(self) -> str:
         return f"apex {self.apex}, length {self.length:.4g}, narrowest {self.narrowest:.4g}"
 
 
-class Part(_members.Part, _Result):
+class Part(_members.Part):
     def _line(self) -> str:
         return f"{self.kind}, {len(self.vertices)} vertices, area {self.area:.4g}"
 
 
-class Parts(_Result):
+class Parts(Result):
     """A mesh divided into tubes, plates and body, largest part first; a sequence of `Part`.
 
     Attributes
@@ -685,7 +675,7 @@ class Parts(_Result):
         return f"{len(self)} parts ({', '.join(counts)})"
 
 
-class Segment(_Result):
+class Segment(Result):
     """What lies between necks.
 
     Attributes
@@ -713,7 +703,7 @@ class Segment(_Result):
         return f"{self.kind}, area {self.area:.4g}, tips {self.tips}"
 
 
-class Segments(_Result):
+class Segments(Result):
     """A mesh divided at its necks, largest part first; a sequence of `Segment`.
 
     Attributes
@@ -760,7 +750,7 @@ class Segments(_Result):
         return f"{len(self)} segments: {', '.join(segment.kind for segment in self)}"
 
 
-class Comparison(_Result):
+class Comparison(Result):
     """How far models are apart.
 
     Attributes

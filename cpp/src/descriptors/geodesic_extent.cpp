@@ -32,14 +32,14 @@ struct Sum {
 };
 
 /// Data that the vertices of a surface have in common.
-struct Distances {
+struct SharedDistances {
   const SurfaceMesh& mesh;
   std::vector<double> areas;
   // One of the two, by the method.
   std::optional<geodesic::MarchingStencils> stencils;
   std::optional<geodesic::Unfolding> unfolding;
 
-  Distances(const SurfaceMesh& surface, DistanceMethod method)
+  SharedDistances(const SurfaceMesh& surface, DistanceMethod method)
       : mesh(surface), areas(vertexAreas(surface)) {
     if (method == DistanceMethod::FastMarching) stencils.emplace(surface);
     if (method == DistanceMethod::Exact) unfolding.emplace(surface);
@@ -54,7 +54,7 @@ struct Extent {
 /// Computes distances from one vertex after the other; one for each thread.
 class ExtentSolver {
  public:
-  explicit ExtentSolver(const Distances& distances) : shared_(&distances) {
+  explicit ExtentSolver(const SharedDistances& distances) : shared_(&distances) {
     if (distances.stencils) march_.emplace(*distances.stencils);
     if (distances.unfolding) propagation_.emplace(*distances.unfolding);
   }
@@ -84,7 +84,7 @@ class ExtentSolver {
   }
 
  private:
-  const Distances* shared_;
+  const SharedDistances* shared_;
   std::optional<geodesic::FastMarching> march_;
   std::optional<geodesic::Propagation> propagation_;
 };
@@ -96,7 +96,7 @@ GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
   GeodesicExtent extent;
   extent.average.assign(mesh.vertexCount(), kNoValue);
   extent.farthest.assign(mesh.vertexCount(), kNoValue);
-  const Distances distances(mesh, method);
+  const SharedDistances distances(mesh, method);
   extent.complete =
       parallelFor(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
         ExtentSolver solver(distances);
@@ -111,7 +111,7 @@ GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
 
 VertexFunction<double> geodesicExtentFunction(const SurfaceMesh& mesh, ExtentMeasure measure,
                                               DistanceMethod method) {
-  const auto distances = std::make_shared<const Distances>(mesh, method);
+  const auto distances = std::make_shared<const SharedDistances>(mesh, method);
   return {[distances, measure](const ExecutionContext& context) -> VertexEvaluator<double> {
     const auto solver = std::make_shared<ExtentSolver>(*distances);
     // The distances are held as long as the solver reads them.

@@ -60,6 +60,10 @@ TEST_F(Command, outputsAreAsDocumented) {
         arguments.push_back(model);
         continue;
       }
+      if (output.words[i] == "pairs.csv") {
+        arguments.push_back(write("pairs.csv", "0,1\n"));
+        continue;
+      }
       if (isFile) file = path(output.words[i]);
       arguments.push_back(isFile ? file : output.words[i]);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -123,5 +124,23 @@ class ResultCsv {
   const LoadedMesh* loaded_;
   std::string text_;
 };
+
+/// The only list of described structs of a result, as CSV: a row for each, with its `number`
+/// from 1.
+template <Described Struct>
+std::string resultCsv(const LoadedMesh& loaded, const Struct& result) {
+  std::string text;
+  const auto write = [&]<class Value>(const char*, const Value& value) {
+    if constexpr (requires { typename Value::value_type; }) {
+      if constexpr (Described<typename Value::value_type>) {
+        ResultCsv<typename Value::value_type> csv(loaded, "number");
+        for (std::size_t i = 0; i < value.size(); ++i) csv.add(value[i], std::to_string(i + 1));
+        text = csv.text();
+      }
+    }
+  };
+  visitMembers(result, write);
+  return text;
+}
 
 }  // namespace girth::io

@@ -1,5 +1,6 @@
 // Results of a mesh, to be written: of which kind one is.
 
+import { analysisLists } from '../types/analyses.js';
 import { failure } from '../types/errors.js';
 import type { FoundBesides } from '../types/protocol.js';
 
@@ -25,6 +26,7 @@ const kinds: readonly Kind[] = [
   { name: 'parts', member: 'partOf', by: 'options' },
   { name: 'printCheck', member: 'passingScale', by: 'limits', hasFaces: true },
   { name: 'segments', member: 'labels', by: 'by', hasFaces: true },
+  ...Object.entries(analysisLists).map(([name, member]) => ({ name, member })),
 ];
 
 /** The kind of a result. Throws where it is none, or `besides` lacks what it is written by. */

@@ -1,5 +1,7 @@
 // A mesh on the page: it checks what is asked of it, and passes it to the workers.
 
+import type { Analyses } from '../types/analyses.js';
+import { MeshWithAnalyses } from './analyses.js';
 import { defaults } from '../types/defaults.js';
 import { disposal } from '../types/disposal.js';
 import { failure } from '../types/errors.js';
@@ -121,7 +123,7 @@ const divided = ({
   smoothing = 0,
 }: SegmentOptions): SegmentRequest => ({ girth, thickness, minProminence, smoothing });
 
-export class MeshOfWorkers implements Mesh {
+export class MeshOfWorkers extends MeshWithAnalyses implements Mesh {
   readonly info: Mesh['info'];
   readonly geometry: Mesh['geometry'];
   readonly vertexOfInput: Uint32Array;
@@ -141,6 +143,7 @@ export class MeshOfWorkers implements Mesh {
   }
 
   constructor(host: MeshHost, opened: OpenedSurface) {
+    super();
     const { info, arrays, origin, drawn, boundary, vertexOfInput, inputOfVertex } = opened;
     this.#host = host;
     this.#content = opened.content;
@@ -265,6 +268,14 @@ export class MeshOfWorkers implements Mesh {
     const along = Float64Array.from(normal);
     if (along.length !== 3) throw failure('USAGE', 'the normal has three numbers');
     return this.#ask('sections', { normal: along, offsets: Float64Array.from(offsets) }, options);
+  }
+
+  protected async analyse<Found extends object>(
+    analysis: keyof Analyses,
+    { signal, onProgress, ...wanted }: WatchedOptions,
+  ): Promise<Found> {
+    const found = await this.#ask('analyse', { analysis, wanted }, { signal, onProgress });
+    return found as Found;
   }
 
   async bottleneck(

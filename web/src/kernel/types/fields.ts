@@ -1,5 +1,7 @@
 // Made of cpp/include/girth/fields.def by `npm run build:tables`: not to be edited.
 
+import type { SurfacePoint } from './points.js';
+
 /**
  * Fields that are computed vertex by vertex.
  *
@@ -9,8 +11,16 @@
  * - `'geoaverage'`: the mean distance to all other places, along the surface; in model units.
  * - `'geofarthest'`: the distance to the farthest place, along the surface; in model units.
  * - `'angle'`: the angle at which the shortest loop meets itself; in radians.
+ * - `'distance'`: the distance to the nearest of some points, along the surface; in model units.
  */
-export type VertexFieldName = 'igf' | 'sdf' | 'thickness' | 'geoaverage' | 'geofarthest' | 'angle';
+export type VertexFieldName =
+  | 'igf'
+  | 'sdf'
+  | 'thickness'
+  | 'geoaverage'
+  | 'geofarthest'
+  | 'angle'
+  | 'distance';
 
 /**
  * Fields that are computed from the surface's spectrum. They come all at once, without partial values. Each value is one
@@ -46,6 +56,19 @@ export interface ThicknessOptions {
   sharpAngle?: number;
 }
 
+/** What distances are measured from, and how far. */
+export interface DistanceFieldOptions {
+  /**
+   * Where distances are measured from: each is that from the nearest of these points. Default: the first
+   * vertex.
+   */
+  from?: readonly SurfacePoint[];
+  /**
+   * Vertices farther away than this, in model units, have an infinite distance. Default: Infinity.
+   */
+  radius?: number;
+}
+
 /** Parameters of single fields. Each field reads its own. */
 export interface FieldParameters {
   /**
@@ -59,6 +82,8 @@ export interface FieldParameters {
   sdf?: ShapeDiameterOptions;
   /** Options of 'thickness'. */
   thickness?: ThicknessOptions;
+  /** Options of 'distance'. */
+  distance?: DistanceFieldOptions;
 }
 
 /** Where these are in `FieldParameters`. */
@@ -68,6 +93,8 @@ export const parameterPaths = [
   'sdf.coneAngle',
   'thickness.sharpAngle',
   'distances',
+  'distance.from',
+  'distance.radius',
 ] as const;
 
 /** The kind of unit of each field. */
@@ -78,6 +105,7 @@ export const fieldUnits: Readonly<Record<FieldName, 'Length' | 'Radian' | 'PerAr
   geoaverage: 'Length',
   geofarthest: 'Length',
   angle: 'Radian',
+  distance: 'Length',
   hks: 'PerArea',
   wks: 'PerArea',
   sihks: 'Number',
@@ -91,6 +119,7 @@ export const fieldTitles: Readonly<Record<FieldName, string>> = {
   geoaverage: 'Mean distance',
   geofarthest: 'Greatest distance',
   angle: 'Angle of the loop',
+  distance: 'Distance',
   hks: 'Heat kernel signature',
   wks: 'Wave kernel signature',
   sihks: 'Scale-invariant heat kernel',
@@ -104,6 +133,7 @@ export const fieldListTitles: Readonly<Record<FieldName, string>> = {
   geoaverage: 'GeoAverage (mean)',
   geofarthest: 'GeoFarthest (largest)',
   angle: 'Angle of the loop',
+  distance: 'Distance from points',
   hks: 'Heat kernel (HKS)',
   wks: 'Wave kernel (WKS)',
   sihks: 'SIHKS (scale-free)',
@@ -117,6 +147,7 @@ export const fieldMeanings: Readonly<Record<FieldName, string>> = {
   geoaverage: 'the mean distance to all other places, along the surface',
   geofarthest: 'the distance to the farthest place, along the surface',
   angle: 'the angle at which the shortest loop meets itself',
+  distance: 'the distance to the nearest of some points, along the surface',
   hks: 'how much heat stays in a place',
   wks: 'how likely a wave of this energy is met in a place',
   sihks: 'how heat leaves a place, whatever the size of the shape',

@@ -79,7 +79,7 @@ export interface WrittenModel {
  * out has the default of C++.
  */
 export type FieldRequest = { name: VertexFieldName | 'barcode' } & {
-  [Path in (typeof parameterPaths)[number]]?: number | string | undefined;
+  [Path in (typeof parameterPaths)[number]]?: number | string | readonly SurfacePoint[] | undefined;
 };
 
 /** How a refined girth is computed. */

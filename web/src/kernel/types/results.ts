@@ -108,6 +108,42 @@ export interface LoopSide {
 }
 
 /**
+ * The distance between two points.
+ *
+ * @experimental
+ */
+export interface Distance {
+  /** The first point. */
+  start: SurfacePoint;
+  /** The second point. */
+  end: SurfacePoint;
+  /**
+   * Length of a shortest path along the surface, in model units; infinite where the points lie in
+   * different components.
+   */
+  length: number;
+  /** Length of the straight line between them, in model units. */
+  straight: number;
+  /**
+   * The path: the edges crossed and vertices passed in order. Between neighbours it is straight inside
+   * one face or along one edge. Empty where paths were not asked for, or there is none.
+   */
+  points: SurfacePoint[];
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
+}
+
+/**
+ * Distances between pairs of points.
+ *
+ * @experimental
+ */
+export interface Distances {
+  /** In the order of the pairs. */
+  distances: Distance[];
+}
+
+/**
  * The girth at one distance: along a ring, a closed curve that goes round the surface there.
  */
 export interface GirthStation {

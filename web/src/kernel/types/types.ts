@@ -1,6 +1,8 @@
 // The kernel's public types: what the page, the element and users of the package see of the computation.
 // No three.js and no DOM. Names are those of the C++ core. Lengths are in the model's own units.
 
+import type { Analyses, FoundByAnalysis } from './analyses.js';
+import type { CallOptions, WatchedOptions } from './call-options.js';
 import type { FieldName, FieldParameters } from './fields.js';
 import type { SurfacePoint } from './points.js';
 import type {
@@ -25,8 +27,11 @@ import type {
   Tips,
 } from './results.js';
 
+export type * from './analyses.js';
+export type * from './call-options.js';
 export type {
   FieldName,
+  DistanceFieldOptions,
   FieldParameters,
   ShapeDiameterOptions,
   SpectralFieldName,
@@ -126,12 +131,6 @@ export interface PrepareOptions {
   minComponent?: number;
 }
 
-/** Options of every call. */
-export interface CallOptions {
-  /** Aborting stops the work: the promise is rejected with CANCELLED, an 'AbortError' with the signal's reason as its cause. */
-  signal?: AbortSignal;
-}
-
 /** Options of calls that write a file. */
 export interface ExportOptions extends CallOptions {
   /** The unit of lengths, where the file that was read does not state it: 'mm'. Default: the mesh's unit. */
@@ -151,19 +150,13 @@ export type FormatOf<Found> = Found extends Necks | Handles | LimbAxis | Section
     ? 'csv' | 'json' | 'glb'
     : Found extends Bottleneck
       ? 'json' | 'obj' | 'glb'
-      : Found extends Limbs | Profile
+      : Found extends Limbs | Profile | FoundByAnalysis
         ? 'csv' | 'json'
         : Found extends Tips
           ? 'json' | 'obj'
           : Found extends Parts | PrintCheck
             ? 'json'
             : never;
-
-/** Options of calls that report their progress. */
-export interface WatchedOptions extends CallOptions {
-  /** Receives the finished share, in [0, 1]. It never falls and ends with 1. */
-  onProgress?: (fraction: number) => void;
-}
 
 /** Options of {@link Mesh.remesh}. */
 export interface RemeshOptions extends WatchedOptions {
@@ -707,7 +700,7 @@ export interface MaximaOptions extends CallOptions {
  * kernel is disposed of; OUT_OF_MEMORY; INTERNAL for faults of the package; and the codes that are named
  * with each method. A field that is handed over must be of this mesh: otherwise the code is USAGE.
  */
-export interface Mesh {
+export interface Mesh extends Analyses {
   /** Facts about it. */
   readonly info: MeshInfo;
   /** The surface to draw and pick on. */

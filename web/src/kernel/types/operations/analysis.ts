@@ -1,6 +1,7 @@
 // Operations of the module for analysis: new surfaces, and results. A mesh has a call of the same name for each.
 
 import type { Described } from '../../wasm/girth-files.mjs';
+import { type Analyses, analysisLists } from '../analyses.js';
 import type { FoundRefined, FoundSegments, FoundTips } from '../protocol.js';
 import type {
   Bottleneck,
@@ -63,8 +64,9 @@ export const analysing = {
   printCheck: takes('surface', 'printed', 'limits', 'onProgress').gives<PrintCheck>(),
 };
 
-/** Calls of a mesh that are operations of their names. */
+/** Calls of a mesh that are operations of their names, and the analyses. */
 export const analysisNames = Object.keys({
   ...makingSurfaces,
   ...analysing,
-}) as (keyof Mesh & (keyof typeof makingSurfaces | keyof typeof analysing))[];
+  ...analysisLists,
+}) as (keyof Mesh & (keyof typeof makingSurfaces | keyof typeof analysing | keyof Analyses))[];

@@ -11,6 +11,8 @@ interface Files {
 
 /** Operations behind calls of other names. */
 export const serving = {
+  /** An analysis of the table by its name; `wanted`: its options. */
+  analyse: takes('surface', 'analysis', 'wanted', 'onProgress').gives<object>(),
   carryBack: takes('surface', 'remeshed', 'values', 'kinds').gives<{
     values: Float64Array<ArrayBuffer>;
     kinds: Uint8Array<ArrayBuffer>;

@@ -41,6 +41,7 @@ export const isSurface = (argument: string): argument is keyof SurfaceNumbers =>
 
 /** All arguments that are no surface. */
 interface Inputs {
+  analysis: string;
   basePoints: number;
   cap: boolean;
   content: FileContent;
@@ -80,6 +81,7 @@ interface Inputs {
   steps: number;
   to: SurfacePoint;
   values: Float64Array;
+  wanted: object;
 }
 
 /** The last argument of what takes long. It receives the finished share. */

@@ -1,0 +1,82 @@
+"""The fields of a mesh. Made of cpp/include/girth/fields.def by `npm run build:tables`: not to be edited."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Sequence
+
+from pygirth._arguments import Progress
+from pygirth.results import Field
+
+
+class Fields:
+    def _field(
+        self,
+        name: str,
+        given: dict[str, Any],
+        pairs: Optional[int],
+        times: Optional[Sequence[float]],
+        threads: Optional[int],
+        progress: Progress,
+    ) -> Field:
+        raise NotImplementedError
+
+    def field(
+        self,
+        name: str,
+        *,
+        rays: Optional[int] = None,
+        cone: Optional[float] = None,
+        sharp: Optional[float] = None,
+        exact: bool = False,
+        from_: Any = None,
+        radius: Optional[float] = None,
+        pairs: Optional[int] = None,
+        times: Optional[Sequence[float]] = None,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Field:
+        """A function with one value for each vertex, or several.
+
+        Parameters
+        ----------
+        name : str
+            One of `FIELDS`; the documentation of the outputs states what each is.
+        rays : int, optional
+            Of ``'sdf'``: Rays sent from each vertex, 1 to 10,000.
+        cone : float, in degrees, optional
+            Of ``'sdf'``: The full opening of the cone of rays, in radians, in (0, π).
+        sharp : float, in degrees, optional
+            Of ``'thickness'``: In radians, in (0, π/2). Where two faces meet at a sharper
+            angle, measured within the body, they face each other, and the thickness falls to 0
+            at their edge. Faces that lie at a blunter angle to each other do not: a cube is as
+            thick at its edges as in the middle. Every convex body has faces that meet at 70.6°
+            or less, if they meet.
+        exact : bool, optional
+            Of ``'geoaverage'`` and ``'geofarthest'``: exact distances instead of fast marching.
+        from_ : point or sequence of points, optional
+            Of ``'distance'``: Where distances are measured from: each is that from the nearest
+            of these points.
+        radius : float, optional
+            Of ``'distance'``: Vertices farther away than this, in model units, have an infinite
+            distance.
+        pairs : int, optional
+            Of ``'hks'``, ``'sihks'`` and ``'wks'``: eigenpairs, 2 to 100,000.
+        times : sequence of float, optional
+            Of ``'hks'``: diffusion times as shares of the area.
+        threads, progress
+            As of `igf`; signatures and distances use one thread.
+
+        Returns
+        -------
+        Field
+            Its values have the shape (n,), of signatures (n, d).
+        """
+        given = {
+            "rays": rays,
+            "cone": cone,
+            "sharp": sharp,
+            "exact": exact or None,
+            "from": from_,
+            "radius": radius,
+        }
+        return self._field(name, given, pairs, times, threads, progress)
