@@ -2,7 +2,7 @@
 // attributes would.
 
 import { type ViewerState, sentence } from '../src/element/index.js';
-import { byId } from './dom.js';
+import { byId } from './widgets/dom.js';
 
 const viewer = document.querySelector('girth-viewer')!;
 const fault = byId('fault');

@@ -9,43 +9,43 @@ import {
   panelNames,
   preparationOf,
   resized,
-} from './address-state.js';
-import { Address } from './address.js';
-import type { Beside } from './beside.js';
-import { ComparePanel } from './compare-panel.js';
-import { ComputedFields } from './computed-fields.js';
-import { byId, nextTask, once, setAttribute } from './dom.js';
-import { type Files, acceptDrops } from './drop.js';
-import { type Example, ExamplesStrip } from './examples-strip.js';
-import { offerExports } from './export-menu.js';
-import { failureWords } from './failure-words.js';
-import { FieldPanel } from './field-panel.js';
-import { removalWords } from './handle-removal.js';
-import { acceptLaunches } from './launch.js';
-import { LimbsPanel } from './limbs-panel.js';
-import { NecksPanel } from './necks-panel.js';
-import { explainColours, showUntilTouched } from './meaning.js';
-import { MissingModel } from './missing-model.js';
-import { forwardKeys, pressControls } from './keys.js';
-import { ModelDetails } from './model-details.js';
+} from './state/address-state.js';
+import { Address } from './state/address.js';
+import type { Beside } from './model/beside.js';
+import { ComparePanel } from './panels/compare/compare-panel.js';
+import { ComputedFields } from './model/computed-fields.js';
+import { byId, nextTask, once, setAttribute } from './widgets/dom.js';
+import { type Files, acceptDrops } from './model/drop.js';
+import { type Example, ExamplesStrip } from './model/examples-strip.js';
+import { offerExports } from './export/export-menu.js';
+import { failureWords } from './widgets/failure-words.js';
+import { FieldPanel } from './panels/field/field-panel.js';
+import { removalWords } from './panels/necks/handle-removal.js';
+import { acceptLaunches } from './model/launch.js';
+import { LimbsPanel } from './panels/limbs/limbs-panel.js';
+import { NecksPanel } from './panels/necks/necks-panel.js';
+import { explainColours, showUntilTouched } from './help/meaning.js';
+import { MissingModel } from './model/missing-model.js';
+import { forwardKeys, pressControls } from './commands/keys.js';
+import { ModelDetails } from './model/model-details.js';
 import { offerInstalling, workOffline } from './offline.js';
-import type { PagePlot } from './page-plot.js';
-import type { Panel } from './panel.js';
-import type { OpenedProject } from './project.js';
-import { PartsPanel } from './parts-panel.js';
-import { PinnedList } from './pinned-list.js';
-import { PrintPanel } from './print-panel.js';
-import { RecentFiles } from './recent-files.js';
-import { type Opened, Session, isSameModel } from './session.js';
-import { elementLine, frameLine } from './share-lines.js';
-import { type Shared, offerSharing } from './share-sheet.js';
-import { closeLeftSheets } from './sheets.js';
-import type { ModelScale } from './size-choice.js';
-import { explainTerms } from './terms.js';
+import type { PagePlot } from './export/page-plot.js';
+import type { Panel } from './widgets/panel.js';
+import type { OpenedProject } from './model/project.js';
+import { PartsPanel } from './panels/parts/parts-panel.js';
+import { PinnedList } from './panels/loops/pinned-list.js';
+import { PrintPanel } from './panels/print/print-panel.js';
+import { RecentFiles } from './model/recent-files.js';
+import { type Opened, Session, isSameModel } from './model/session.js';
+import { elementLine, frameLine } from './export/share-lines.js';
+import { type Shared, offerSharing } from './export/share-sheet.js';
+import { closeLeftSheets } from './widgets/sheets.js';
+import type { ModelScale } from './model/size-choice.js';
+import { explainTerms } from './help/terms.js';
 import { offerTheme } from './theme.js';
-import { TipsPanel } from './tips-panel.js';
-import { Tour } from './tour.js';
-import { offerUndo } from './undo-buttons.js';
+import { TipsPanel } from './panels/tips/tips-panel.js';
+import { Tour } from './help/tour.js';
+import { offerUndo } from './state/undo-buttons.js';
 
 const viewer = byId<GirthViewer>('viewer');
 const invitation = byId('invitation');
@@ -130,7 +130,7 @@ let second: Beside | undefined;
 /** Until it is there, what a link asks for. */
 let besideWish: PageState = {};
 const beside = once(async () => {
-  const { Beside } = await import('./beside.js');
+  const { Beside } = await import('./model/beside.js');
   return (second = new Beside(viewer, {
     gallery: () =>
       examples.all.map((example) => ({ opened: exampleToOpen(example), title: example.title })),
@@ -333,7 +333,7 @@ async function openFiles(found: Files | Promise<Files>): Promise<void> {
 const aboutModel = ['unit', 'shown-unit', 'up', 'section'];
 /** The project that is being opened: what was computed is taken when its surface is there. */
 let project: OpenedProject | undefined;
-const projects = once(() => import('./project.js'));
+const projects = once(() => import('./model/project.js'));
 
 function showProjectFault(error: unknown): void {
   projectFault.textContent = sentence(failureWords(error));
@@ -507,8 +507,8 @@ byId('all-keys').addEventListener('click', () => {
   explanation.close();
   void keyList().then((one) => one.open());
 });
-const palette = once(async () => new (await import('./palette.js')).Palette(viewer));
-const keyList = once(async () => new (await import('./key-list.js')).KeyList(viewer));
+const palette = once(async () => new (await import('./commands/palette.js')).Palette(viewer));
+const keyList = once(async () => new (await import('./commands/key-list.js')).KeyList(viewer));
 
 explainTerms();
 closeLeftSheets();

@@ -2,7 +2,7 @@
 // installing.
 
 import { make } from '../src/element/index.js';
-import { byId } from './dom.js';
+import { byId } from './widgets/dom.js';
 
 /** Milliseconds between two looks for a new version, at least, on a page that stays open. */
 const lookAgain = 3_600_000;

@@ -1,9 +1,9 @@
 // Dark or light by choice. The choice is the attribute `data-theme` of the page, which `start.ts` reads from where it is
 // kept before anything is drawn, and follows; here is its control.
 
-import { announce } from './announcer.js';
-import { byId } from './dom.js';
-import { Draft } from './draft.js';
+import { announce } from './widgets/announcer.js';
+import { byId } from './widgets/dom.js';
+import { Draft } from './widgets/draft.js';
 
 /** Where the choice is kept, as `start.ts` knows it. */
 const key = 'girth-theme';

@@ -256,7 +256,7 @@ function documentTable() {
   return `| field | unit | a value is |\n| --- | --- | --- |\n${rows.join('\n')}`;
 }
 
-const ruleFile = 'web/src/element/attributes.ts';
+const ruleFile = 'web/src/element/attributes/attributes.ts';
 
 /** The table of attributes in a document. */
 function attributeTable() {
@@ -266,7 +266,7 @@ function attributeTable() {
 
 /** Comments of the attributes' types. */
 function attributeTypes() {
-  const path = 'web/src/element/attribute-types.ts';
+  const path = 'web/src/element/attributes/attribute-types.ts';
   return attributes().reduce((text, { name, description }) => {
     const member = new RegExp(`  /\\*\\*(?:(?!\\*/)[^])*\\*/\\n(?=  '?${name}'?\\?:)`);
     if (!member.test(text)) throw new Error(`${path} has no commented member for ${name}`);
@@ -319,7 +319,7 @@ export async function tables() {
     'web/src/kernel/page/analyses.ts': typeScriptMethods(),
     'web/docs/outputs.md': documentText('web/docs/outputs.md'),
     'web/docs/embedding.md': documentText('web/docs/embedding.md'),
-    'web/src/element/attribute-types.ts': attributeTypes(),
+    'web/src/element/attributes/attribute-types.ts': attributeTypes(),
   };
   const style = /** @type {const} */ ({ singleQuote: true, printWidth: 100 });
   const formatted = Object.entries(texts).map(async ([path, text]) => {

@@ -1,5 +1,5 @@
 // `npm run build:terms`: makes the small pictures that explain the page's terms, with the page itself and its
-// examples, into web/app/terms. They are committed, as making them needs a browser.
+// examples, into web/app/help/terms. They are committed, as making them needs a browser.
 
 // Half of it runs in the page, half in Node.js: no one set of types has both.
 // @ts-nocheck
@@ -141,7 +141,7 @@ await script(async () => {
   const server = await preview({ configFile: join(repository, 'web/vite.app.config.ts') });
   const address = server.resolvedUrls?.local[0] ?? '';
   const browser = await launchChromium();
-  const folder = join(repository, 'web/app/terms');
+  const folder = join(repository, 'web/app/help/terms');
   try {
     const page = await browser.newPage({ reducedMotion: 'reduce' });
     const open = async (model, field) => {

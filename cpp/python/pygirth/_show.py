@@ -272,7 +272,7 @@ def _ends(values: Sequence[float]) -> tuple[float, float]:
 
 
 def _packed(array: np.ndarray, dtype: Any) -> str:
-    """An array as pages carry it (web/src/element/packed.ts)."""
+    """An array as pages carry it (web/src/element/model/packed.ts)."""
     data = np.ascontiguousarray(array, np.dtype(dtype).newbyteorder("<")).tobytes()
     # As gzip does; piece by piece, so that Ctrl-C is heard.
     packer = zlib.compressobj(6, zlib.DEFLATED, zlib.MAX_WBITS | 16)

@@ -5,7 +5,7 @@ import {
   readState,
   resized,
   writeState,
-} from '../../../web/app/address-state.js';
+} from '../../../web/app/state/address-state.js';
 
 const whole: PageState = {
   model: 'octopus',

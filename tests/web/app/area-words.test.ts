@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { formatArea } from '../../../web/app/area-words.js';
+import { formatArea } from '../../../web/app/widgets/area-words.js';
 
 test.each([
   [20.5, { unit: 'mm', scale: 1, decimals: 2 }, '20.5\u202fmm²'],

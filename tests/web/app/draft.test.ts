@@ -1,7 +1,7 @@
 // A text that somebody is editing is never overwritten: the rule that all controls of the page keep.
 
 import { expect, test, vi } from 'vitest';
-import { Draft, type DraftEvents } from '../../../web/app/draft.js';
+import { Draft, type DraftEvents } from '../../../web/app/widgets/draft.js';
 
 /** A control as browsers have it: what is typed is reported, what is written is not. */
 class Control extends EventTarget {

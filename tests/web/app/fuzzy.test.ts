@@ -1,7 +1,7 @@
 // The search of the command palette.
 
 import { expect, test } from 'vitest';
-import { fuzzyScore } from '../../../web/app/fuzzy.js';
+import { fuzzyScore } from '../../../web/app/commands/fuzzy.js';
 
 test.each([
   ['mgm', 'magma'],

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { isUnusual, namedScale, scaleWords, tallWords } from '../../../web/app/model-size.js';
+import { isUnusual, namedScale, scaleWords, tallWords } from '../../../web/app/model/model-size.js';
 
 test.each([
   [1.12, '112%'],

@@ -1,7 +1,11 @@
 // The colours of parts: those that touch differ.
 
 import { expect, test } from 'vitest';
-import { colourParts, neighboursOf, partColours } from '../../../web/app/part-colours.js';
+import {
+  colourParts,
+  neighboursOf,
+  partColours,
+} from '../../../web/app/panels/necks/part-colours.js';
 
 const none = 0xffffffff;
 const part = (faces: number[], vertices: number[] = []) => ({

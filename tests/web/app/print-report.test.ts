@@ -1,5 +1,9 @@
 import { expect, test } from 'vitest';
-import { type PrintReport, answerWords, printReportHtml } from '../../../web/app/print-report.js';
+import {
+  type PrintReport,
+  answerWords,
+  printReportHtml,
+} from '../../../web/app/panels/print/print-report.js';
 import type { WeakPlace } from '../../../web/src/kernel/index.js';
 
 const tube: WeakPlace = {

@@ -7,7 +7,7 @@ import {
   spectralIn,
   surfaceKey,
   writeProject,
-} from '../../../web/app/project-file.js';
+} from '../../../web/app/model/project-file.js';
 import type { Field, Loop, MeshGeometry, RefinedGirth } from '../../../web/src/kernel/index.js';
 
 const geometry: MeshGeometry = {

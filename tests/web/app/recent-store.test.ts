@@ -1,7 +1,7 @@
 // Recent files: which are kept, and which go.
 
 import { expect, test } from 'vitest';
-import { beyondBounds } from '../../../web/app/recent-store.js';
+import { beyondBounds } from '../../../web/app/model/recent-store.js';
 
 const copies = (...sizes: number[]) => sizes.map((bytes, id) => ({ id, bytes, copy: [] }));
 const bounds = { bytes: 100, files: 3 };

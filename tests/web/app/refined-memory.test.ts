@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { memoryWords, refinedMemory } from '../../../web/app/refined-memory.js';
+import { memoryWords, refinedMemory } from '../../../web/app/panels/field/refined-memory.js';
 
 /** A surface of triangles with sides of length 1. */
 const surfaceOf = (vertexCount: number) => {

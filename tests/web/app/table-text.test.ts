@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { csvOf, plainNumber, tsvOf } from '../../../web/app/table-text.js';
+import { csvOf, plainNumber, tsvOf } from '../../../web/app/widgets/table-text.js';
 
 test('numbers have the digits that they need, and no exponent', () => {
   expect(

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { GirthError } from '../../../web/src/kernel/types/errors.js';
 import type { Cut, SurfacePoint } from '../../../web/src/kernel/index.js';
-import { cutUncrossed } from '../../../web/app/uncrossed-cut.js';
+import { cutUncrossed } from '../../../web/app/panels/necks/uncrossed-cut.js';
 
 /** Curves stand for intervals, [from, to]; two cross where each has just one end of the other inside. */
 const cross = ([a, b]: SurfacePoint[], [c, d]: SurfacePoint[]): boolean =>

@@ -1,7 +1,7 @@
 // Steps back and forth.
 
 import { expect, test } from 'vitest';
-import { UndoSteps } from '../../../web/app/undo-steps.js';
+import { UndoSteps } from '../../../web/app/state/undo-steps.js';
 
 test('back and forth, and a new step forgets what was undone', () => {
   const steps = new UndoSteps();

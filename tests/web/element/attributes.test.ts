@@ -5,7 +5,7 @@ import {
   attributeOf,
   isOn,
   type AttributeName,
-} from '../../../web/src/element/attributes.js';
+} from '../../../web/src/element/attributes/attributes.js';
 
 const values: Partial<Record<AttributeName, { right: string[]; wrong: string[] }>> = {
   unit: { right: ['mm', 'inch'], wrong: ['furlong', 'MM'] },

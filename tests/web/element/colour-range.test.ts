@@ -1,7 +1,7 @@
 // The ends of the colour map: the body of the values.
 
 import { expect, test } from 'vitest';
-import { ColourRange, withoutTails } from '../../../web/src/element/colour-range.js';
+import { ColourRange, withoutTails } from '../../../web/src/element/surface/colour-range.js';
 
 /** 1000 values evenly from 0 to 1, and some others. */
 const body = (...others: number[]) =>

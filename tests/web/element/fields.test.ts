@@ -1,9 +1,9 @@
 import { afterEach, expect, test, vi } from 'vitest';
-import { combine as combineBy } from '../../../web/src/element/combined-field.js';
-import { Fields, type FieldState } from '../../../web/src/element/fields.js';
+import { combine as combineBy } from '../../../web/src/element/model/combined-field.js';
+import { Fields, type FieldState } from '../../../web/src/element/model/fields.js';
 import { failure } from '../../../web/src/kernel/types/errors.js';
 import { summaryOf } from '../../../web/src/kernel/page/field-run.js';
-import type { GirthMethod } from '../../../web/src/element/attribute-types.js';
+import type { GirthMethod } from '../../../web/src/element/attributes/attribute-types.js';
 import type { Field, FieldName, FieldOptions, Mesh } from '../../../web/src/kernel/types/types.js';
 
 const vertexCount = 3;

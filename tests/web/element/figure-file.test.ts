@@ -1,8 +1,8 @@
 // Files that have their values in them: what is read of them, and that nothing else is taken for one.
 
 import { expect, test } from 'vitest';
-import { readFigure } from '../../../web/src/element/figure-file.js';
-import { givenFields, carriedTo } from '../../../web/src/element/given-fields.js';
+import { readFigure } from '../../../web/src/element/model/figure-file.js';
+import { givenFields, carriedTo } from '../../../web/src/element/model/given-fields.js';
 import { glbWith } from '../../browser/glb.js';
 import { box } from '../../browser/meshes.js';
 

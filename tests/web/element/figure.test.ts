@@ -1,8 +1,8 @@
 // Content of a figure beside the surface.
 
 import { expect, test } from 'vitest';
-import { withDensity } from '../../../web/src/element/png-density.js';
-import { scaleBarLength, sizeOf } from '../../../web/src/element/snapshot.js';
+import { withDensity } from '../../../web/src/element/figure/png-density.js';
+import { scaleBarLength, sizeOf } from '../../../web/src/element/figure/snapshot.js';
 import { crcOf } from '../../../web/src/kernel/unpack/crc.js';
 import { lengthFormat } from '../../../web/src/view/numbers.js';
 

@@ -1,7 +1,7 @@
 // Where labels stand on the canvas.
 
 import { expect, test } from 'vitest';
-import { type Label, placeLabels } from '../../../web/src/element/label-places.js';
+import { type Label, placeLabels } from '../../../web/src/element/surface/label-places.js';
 import { type Box, Silhouette } from '../../../web/src/view/silhouette.js';
 
 const canvas = { width: 400, height: 300 };

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { LinkedView } from '../../../web/src/element/link.js';
+import { LinkedView } from '../../../web/src/element/surface/link.js';
 import type { CameraView, Stage } from '../../../web/src/view/index.js';
 
 /** A stage of which only the view matters; its motion is reported by hand, as a frame would. */

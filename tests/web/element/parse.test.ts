@@ -4,7 +4,7 @@ import {
   parseRange,
   parseVertices,
   parseSpectral,
-} from '../../../web/src/element/parse.js';
+} from '../../../web/src/element/attributes/parse.js';
 
 test('a range is two ascending numbers or percentages', () => {
   expect(parseRange('1 2.5')).toEqual({ by: 'values', ends: [1, 2.5] });

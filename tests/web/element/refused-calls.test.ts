@@ -1,8 +1,8 @@
 // Meshes without a kernel: what takes one is refused, whatever it is called.
 
 import { expect, test } from 'vitest';
-import { refusedCalls } from '../../../web/src/element/refused-calls.js';
-import { shownMesh } from '../../../web/src/element/shown-mesh.js';
+import { refusedCalls } from '../../../web/src/element/attributes/refused-calls.js';
+import { shownMesh } from '../../../web/src/element/model/shown-mesh.js';
 import { MeshOfWorkers } from '../../../web/src/kernel/page/mesh.js';
 
 const mesh = shownMesh({

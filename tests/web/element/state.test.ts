@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { attributesOf, stateNames, stateOf } from '../../../web/src/element/state.js';
+import { attributesOf, stateNames, stateOf } from '../../../web/src/element/attributes/state.js';
 import {
   parseParts,
   parsePins,
@@ -7,7 +7,7 @@ import {
   writeParts,
   writePins,
   writeTips,
-} from '../../../web/src/element/wish-words.js';
+} from '../../../web/src/element/attributes/wish-words.js';
 
 /** As much of an element as is looked at. */
 const elementWith = (attributes: Record<string, string>) =>

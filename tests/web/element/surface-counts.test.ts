@@ -1,7 +1,7 @@
 // Counting on surfaces of known shape.
 
 import { expect, test } from 'vitest';
-import { countSurface, vertexAreasOf } from '../../../web/src/element/surface-counts.js';
+import { countSurface, vertexAreasOf } from '../../../web/src/element/model/surface-counts.js';
 import { arraysOf, beside, box, torus, tube } from '../../browser/meshes.js';
 
 function finished<Answer>(steps: Generator<void, Answer>): Answer {

@@ -4,7 +4,7 @@ import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
-import { attributeNames } from '../../../web/src/element/attributes.js';
+import { attributeNames } from '../../../web/src/element/attributes/attributes.js';
 import { packed } from './packed.js';
 
 const { folder } = packed();

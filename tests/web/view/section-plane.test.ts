@@ -1,7 +1,7 @@
 import { Quaternion, Ray, Sphere, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { writeSection } from '../../../web/src/element/section-tool.js';
-import { parseSection } from '../../../web/src/element/section-words.js';
+import { writeSection } from '../../../web/src/element/controls/section-tool.js';
+import { parseSection } from '../../../web/src/element/attributes/section-words.js';
 import { SectionPlane, sectionAcross } from '../../../web/src/view/section-plane.js';
 import { SurfaceSpace } from '../../../web/src/view/surface-space.js';
 

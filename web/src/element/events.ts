@@ -2,8 +2,8 @@
 
 import type { FieldName, GirthErrorFields, MeshInfo } from '../kernel/types/types.js';
 import type { ShownName } from '../view/index.js';
-import type { PickDetail } from './loops-on-surface.js';
-import type { ShownField } from './shading.js';
+import type { PickDetail } from './surface/loops-on-surface.js';
+import type { ShownField } from './surface/shading.js';
 
 /** Of `load`: a model is shown. */
 export interface LoadDetail {

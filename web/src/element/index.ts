@@ -27,15 +27,19 @@ export type {
   LoadDetail,
   ProgressDetail,
 } from './events.js';
-export type { PickDetail, PinnedLoop } from './loops-on-surface.js';
+export type { PickDetail, PinnedLoop } from './surface/loops-on-surface.js';
 export type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
-export type { ShownField, ShownPlaces } from './shading.js';
-export type { DrawingOptions } from './drawing.js';
-export type { FigureOptions } from './snapshot.js';
-export type { StrokeOptions } from './stroke.js';
-export type { TipsChoice } from './tips-on-surface.js';
-export type { GirthMethod, GirthViewerAttributes, ViewerState } from './attribute-types.js';
-export { make } from './dom.js';
+export type { ShownField, ShownPlaces } from './surface/shading.js';
+export type { DrawingOptions } from './figure/drawing.js';
+export type { FigureOptions } from './figure/snapshot.js';
+export type { StrokeOptions } from './surface/stroke.js';
+export type { TipsChoice } from './surface/tips-on-surface.js';
+export type {
+  GirthMethod,
+  GirthViewerAttributes,
+  ViewerState,
+} from './attributes/attribute-types.js';
+export { make } from './controls/dom.js';
 export {
   readCamera,
   readCount,
@@ -43,11 +47,11 @@ export {
   readPoint,
   writeCamera,
   writePoint,
-} from './place-words.js';
-export { type SectionWish, parseSection } from './section-words.js';
-export { sentence } from './sentence.js';
-export { mostPathPoints, parsePath, parseTwoPoints, writePath } from './wish-words.js';
-export { useKernel } from './shared-kernel.js';
+} from './attributes/place-words.js';
+export { type SectionWish, parseSection } from './attributes/section-words.js';
+export { sentence } from './controls/sentence.js';
+export { mostPathPoints, parsePath, parseTwoPoints, writePath } from './attributes/wish-words.js';
+export { useKernel } from './model/shared-kernel.js';
 export type { CameraView, ScreenPoint } from '../view/index.js';
 export { type Category, girthKinds, girthStates, partKinds } from '../view/categories.js';
 export {

@@ -45,9 +45,9 @@ import type {
 } from '../kernel/types/types.js';
 import type { CombinedName } from '../view/index.js';
 import { isFieldName } from '../view/field-words.js';
-import type { Fields } from './fields.js';
-import type { LoopsOnSurface } from './loops-on-surface.js';
-import type { Model } from './model.js';
+import type { Fields } from './model/fields.js';
+import type { LoopsOnSurface } from './surface/loops-on-surface.js';
+import type { Model } from './model/model.js';
 import { ViewerShell } from './viewer-shell.js';
 
 /** Parts of the shown model that calls need. */

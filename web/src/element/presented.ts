@@ -18,12 +18,12 @@ import {
   isFieldName,
   lengthFormat,
 } from '../view/index.js';
-import type { FieldState } from './fields.js';
-import { LoopsOnSurface, type LoopsHost } from './loops-on-surface.js';
-import type { Model } from './model.js';
-import { Shading, type ShadingWishes, type ShownPlaces } from './shading.js';
-import { Standing } from './standing.js';
-import { TipsOnSurface } from './tips-on-surface.js';
+import type { FieldState } from './model/fields.js';
+import { LoopsOnSurface, type LoopsHost } from './surface/loops-on-surface.js';
+import type { Model } from './model/model.js';
+import { Shading, type ShadingWishes, type ShownPlaces } from './surface/shading.js';
+import { Standing } from './surface/standing.js';
+import { TipsOnSurface } from './surface/tips-on-surface.js';
 
 /** A place of the surface to look at: a vertex, a region, a line, or some of these together. */
 export interface PlaceOnSurface {

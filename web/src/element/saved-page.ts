@@ -4,9 +4,9 @@
 import type { Field, Kernel, Loop } from '../kernel/types/types.js';
 import { formatLength } from '../view/index.js';
 import './index.js';
-import { type Packed, unpacked } from './packed.js';
-import { useKernel } from './shared-kernel.js';
-import { type ShownContent, shownMesh } from './shown-mesh.js';
+import { type Packed, unpacked } from './model/packed.js';
+import { useKernel } from './model/shared-kernel.js';
+import { type ShownContent, shownMesh } from './model/shown-mesh.js';
 
 /** What the page carries, as JSON. */
 interface PageContent extends Pick<ShownContent, 'name' | 'unit' | 'origin' | 'size' | 'area'> {

@@ -30,35 +30,35 @@ import {
   lengthFormat,
   readLengthOrShare,
 } from '../view/index.js';
-import type { ViewerState } from './attribute-types.js';
-import { attributeOf, controlsOf, isOn } from './attributes.js';
-import { CanvasControls } from './canvas-controls.js';
-import { make } from './dom.js';
-import type { DrawingOptions } from './drawing.js';
+import type { ViewerState } from './attributes/attribute-types.js';
+import { attributeOf, controlsOf, isOn } from './attributes/attributes.js';
+import { CanvasControls } from './controls/canvas-controls.js';
+import { make } from './controls/dom.js';
+import type { DrawingOptions } from './figure/drawing.js';
 import type { GirthViewerEvents } from './events.js';
-import type { FieldState, FieldsHost } from './fields.js';
-import { readFigure } from './figure-file.js';
-import { type FileContent, onlySurface } from './file-content.js';
-import { carriedTo, givenFields } from './given-fields.js';
+import type { FieldState, FieldsHost } from './model/fields.js';
+import { readFigure } from './model/figure-file.js';
+import { type FileContent, onlySurface } from './model/file-content.js';
+import { carriedTo, givenFields } from './model/given-fields.js';
 import { Lifecycle } from './lifecycle.js';
-import type { LinkedView, SharedRange } from './link.js';
-import type { MessageBox } from './message-box.js';
-import { noGraphics, requireGraphics } from './no-graphics.js';
-import { Model } from './model.js';
-import { openModel, openToCompute, tipsCarriedTo } from './open-model.js';
-import { fieldsOf, nameOf, parseRange, parseSpectral } from './parse.js';
+import type { LinkedView, SharedRange } from './surface/link.js';
+import type { MessageBox } from './controls/message-box.js';
+import { noGraphics, requireGraphics } from './controls/no-graphics.js';
+import { Model } from './model/model.js';
+import { openModel, openToCompute, tipsCarriedTo } from './model/open-model.js';
+import { fieldsOf, nameOf, parseRange, parseSpectral } from './attributes/parse.js';
 import { type PlacePicture, Presented } from './presented.js';
-import type { Printed } from './printed.js';
-import type { ShadingWishes } from './shading.js';
-import { sharedKernel } from './shared-kernel.js';
-import { StatusBar } from './status-bar.js';
-import type { FigureOptions, FigureParts } from './snapshot.js';
-import { style } from './style.js';
-import type { TipsChoice } from './tips-on-surface.js';
-import { watchSurroundings } from './surroundings.js';
-import { Voice } from './voice.js';
-import type { PinWish } from './wish-words.js';
-import { Wishes } from './wishes.js';
+import type { Printed } from './surface/printed.js';
+import type { ShadingWishes } from './surface/shading.js';
+import { sharedKernel } from './model/shared-kernel.js';
+import { StatusBar } from './controls/status-bar.js';
+import type { FigureOptions, FigureParts } from './figure/snapshot.js';
+import { style } from './controls/style.js';
+import type { TipsChoice } from './surface/tips-on-surface.js';
+import { watchSurroundings } from './surface/surroundings.js';
+import { Voice } from './controls/voice.js';
+import type { PinWish } from './attributes/wish-words.js';
+import { Wishes } from './attributes/wishes.js';
 import { Work, type Watched } from './work.js';
 
 /** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
@@ -266,7 +266,7 @@ export class ViewerCore {
       (this.stage && attributeOf(this.#element, attribute)) || '';
     if (!this.#shared) {
       if (nameIn('linked') === '' && nameIn('one-scale') === '') return;
-      const { LinkedView, SharedRange } = await import('./link.js');
+      const { LinkedView, SharedRange } = await import('./surface/link.js');
       this.#shared ??= {
         view: new LinkedView(() => (this.stage?.view ? this.stage : undefined)),
         range: new SharedRange(() => {
@@ -419,7 +419,7 @@ export class ViewerCore {
     return this.bring(`Reading ${name || 'the model'} …`, name, async (watched) => {
       const kernel = await sharedKernel();
       const mesh = await kernel.load(address, { ...options, ...watched });
-      const { ownValues } = await import('./own-values.js');
+      const { ownValues } = await import('./model/own-values.js');
       const scale = options.prepare?.scale ?? 1;
       const kit = { readFigure, givenFields, carriedTo, onlySurface };
       const content = await ownValues(source, mesh, scale, kit);
@@ -560,7 +560,7 @@ export class ViewerCore {
   /** The picture as it is now, as a PNG; see `GirthViewer.snapshot`. */
   async snapshot(options: FigureOptions): Promise<Blob> {
     if (this.stage) requireGraphics(this.stage.graphics);
-    const { figure, sizeOf } = await import('./snapshot.js');
+    const { figure, sizeOf } = await import('./figure/snapshot.js');
     const { stage } = this;
     if (!stage) throw new Error('the element is not on a page');
     const { width, dotsPerInch } = sizeOf(options);
@@ -568,15 +568,15 @@ export class ViewerCore {
     const drawn = { ...options, dotsPerInch };
     const blob = await blobOf(figure(stage.picture(width), parts, drawn, this.#element));
     if (dotsPerInch === undefined) return blob;
-    const { withDensity } = await import('./png-density.js');
+    const { withDensity } = await import('./figure/png-density.js');
     return withDensity(blob, dotsPerInch);
   }
 
   /** The outline and the loops as SVG; see `GirthViewer.drawing`. */
   async drawing(options: DrawingOptions): Promise<string> {
     const [{ drawingSvg }, { scaleBarLength }] = await Promise.all([
-      import('./drawing.js'),
-      import('./snapshot.js'),
+      import('./figure/drawing.js'),
+      import('./figure/snapshot.js'),
     ]);
     const { model } = this.require();
     const { surface, mesh } = model;
@@ -606,8 +606,8 @@ export class ViewerCore {
   /** From now on the browser prints a figure of what is shown. */
   async #offerPrint(): Promise<void> {
     const [{ Printed }, { figure, printDensity }] = await Promise.all([
-      import('./printed.js'),
-      import('./snapshot.js'),
+      import('./surface/printed.js'),
+      import('./figure/snapshot.js'),
     ]);
     if (!this.stage) return;
     this.#printed ??= new Printed(this.#host.frame, (width) => {

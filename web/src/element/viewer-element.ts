@@ -24,15 +24,15 @@ import type {
 import { combinationOf, isFieldName, isGivenName } from '../view/field-words.js';
 import { lengthFormat } from '../view/numbers.js';
 import type { GirthViewerEventMap, GirthViewerListener } from './events.js';
-import type { PinnedLoop } from './loops-on-surface.js';
+import type { PinnedLoop } from './surface/loops-on-surface.js';
 import { MeshCalls } from './mesh-calls.js';
 import type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
-import type { ShownField, ShownPlaces } from './shading.js';
-import type { DrawingOptions } from './drawing.js';
-import type { FigureOptions } from './snapshot.js';
-import type { StrokeOptions } from './stroke.js';
-import { takeTexts } from './property-texts.js';
-import type { TipsChoice } from './tips-on-surface.js';
+import type { ShownField, ShownPlaces } from './surface/shading.js';
+import type { DrawingOptions } from './figure/drawing.js';
+import type { FigureOptions } from './figure/snapshot.js';
+import type { StrokeOptions } from './surface/stroke.js';
+import { takeTexts } from './attributes/property-texts.js';
+import type { TipsChoice } from './surface/tips-on-surface.js';
 
 /**
  * `<girth-viewer src="model.glb"></girth-viewer>`

@@ -4,15 +4,20 @@
 
 import type { GirthErrorFields, LoadOptions, MeshInfo, MeshSource } from '../kernel/types/types.js';
 import { findLengthUnit } from '../kernel/types/length-units.js';
-import type { ViewerState } from './attribute-types.js';
-import { type AttributeName, attributeNames, attributeOf, faultOf } from './attributes.js';
-import { make } from './dom.js';
+import type { ViewerState } from './attributes/attribute-types.js';
+import {
+  type AttributeName,
+  attributeNames,
+  attributeOf,
+  faultOf,
+} from './attributes/attributes.js';
+import { make } from './controls/dom.js';
 import type { GirthViewerEvents } from './events.js';
-import { MessageBox } from './message-box.js';
-import { pageParsed } from './page-parsed.js';
+import { MessageBox } from './controls/message-box.js';
+import { pageParsed } from './model/page-parsed.js';
 import type { Presented } from './presented.js';
-import { shellStyle } from './shell-style.js';
-import { attributesOf, stateNames, stateOf } from './state.js';
+import { shellStyle } from './controls/shell-style.js';
+import { attributesOf, stateNames, stateOf } from './attributes/state.js';
 import type { ViewerCore } from './viewer-core.js';
 
 /** How far outside of the view an element is near it, in CSS pixels. */

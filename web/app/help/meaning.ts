@@ -1,0 +1,100 @@
+// What the colours mean, in one line on the surface; and a loop that shows itself, until somebody does something.
+
+import {
+  type ColormapName,
+  type GirthViewer,
+  type ShownName,
+  combinationOf,
+  fieldTitle,
+  inSentence,
+} from '../../src/element/index.js';
+import { fieldMeanings } from '../../src/kernel/index.js';
+import { byId } from '../widgets/dom.js';
+
+const words: Partial<Record<ShownName, string>> = {
+  ...fieldMeanings,
+  kind: 'whether a loop holds in a place, or slips off',
+  state: 'how sure the loop’s length is',
+  tips: 'how far the loop’s length jumps where it slips off',
+  parts: 'what is thin like a tube, thin like a plate, or neither',
+};
+
+/** To find a way over a surface of more vertices would hold up the page. */
+const mostVertices = 150_000;
+/** Milliseconds that the loop rests at each place. */
+const pace = 70;
+
+/** What the print check colours by, in place of a field. */
+const printWords = 'what is too thin to print, and what is thick enough';
+
+/** Of two fields in one. */
+function ofTwo(name: ShownName, colormap: ColormapName | undefined): string | undefined {
+  const combined = combinationOf(name);
+  if (!combined) return undefined;
+  const [first, second] = [combined.first, combined.second].map(fieldTitle).map(inSentence);
+  if (combined.by === 'ratio') return `the ${first}, divided by the ${second}`;
+  const sides = colormap === 'rdbu' ? ': red where it is more, blue where it is less' : '';
+  return `the ${first} less the ${second}${sides}`;
+}
+
+/** Keeps the line up to date; what it returns is called when the print check begins or ends to colour. */
+export function explainColours(viewer: GirthViewer, isPrint: () => boolean): () => void {
+  const line = byId('meaning');
+  const write = (): void => {
+    const { name, colormap } = viewer.shown ?? {};
+    const meaning = isPrint() ? printWords : name && (words[name] ?? ofTwo(name, colormap));
+    line.textContent = meaning ? `Colours: ${meaning}.` : '';
+  };
+  for (const event of ['fieldchange', 'field', 'progress']) viewer.addEventListener(event, write);
+  return write;
+}
+
+/**
+ * Shows a loop until something is done on the page: it slides along the surface and back, or rests where
+ * the system asks for less motion.
+ */
+export async function showUntilTouched(viewer: GirthViewer): Promise<void> {
+  if ((viewer.info?.vertexCount ?? 0) > mostVertices) return;
+  const ending = new AbortController();
+  const { signal } = ending;
+  const end = (): void => ending.abort();
+  for (const type of ['pointermove', 'pointerdown', 'keydown', 'wheel', 'touchstart']) {
+    window.addEventListener(type, end, { signal, capture: true, passive: true });
+  }
+  if (matchMedia('(prefers-reduced-motion: reduce)').matches) restLoop(viewer, signal);
+  else await slideLoop(viewer, signal);
+}
+
+/**
+ * Hides the shown loop as the signal comes: what ends it may itself ask for a loop, which a later end would hide.
+ */
+function hideAtEnd(viewer: GirthViewer, signal: AbortSignal): void {
+  const { info } = viewer;
+  signal.addEventListener('abort', () => {
+    if (viewer.info === info) viewer.showLoop();
+  });
+}
+
+/** Shows the loop half-way along the surface, or where one is seen next to it, until the signal. */
+function restLoop(viewer: GirthViewer, signal: AbortSignal): void {
+  const way = viewer.longWay();
+  const middle = (way.length - 1) / 2;
+  const seen = way.map((_, i) => i).filter((i) => viewer.screenPosition(way[i]!).visible);
+  const fromMiddle = (i: number): number => Math.abs(i - middle);
+  seen.sort((i, j) => fromMiddle(i) - fromMiddle(j));
+  viewer.showLoop(way[seen[0] ?? Math.floor(middle)], { quiet: true });
+  hideAtEnd(viewer, signal);
+}
+
+/** Slides a loop along the surface and back, until the signal or another model. */
+export async function slideLoop(viewer: GirthViewer, signal: AbortSignal): Promise<void> {
+  const { info } = viewer;
+  const way = viewer.longWay();
+  hideAtEnd(viewer, signal);
+  for (let i = 0, step = 1; !signal.aborted && way.length > 1; i += step) {
+    if (viewer.info !== info) return;
+    if (i + step < 0 || i + step >= way.length) step = -step;
+    viewer.showLoop(way[i], { quiet: true });
+    await new Promise((rested) => setTimeout(rested, pace));
+  }
+}

@@ -1,0 +1,228 @@
+// The words that not everybody knows: pointing at one, focusing it or tapping it explains it in two lines,
+// with a small picture that Girth has made (`terms/`, by `npm run build:terms`).
+
+import { make } from '../../src/element/index.js';
+
+interface Term {
+  title: string;
+  lines: readonly [string, string];
+  picture: URL;
+}
+
+const terms = {
+  girth: {
+    title: 'Girth',
+    lines: [
+      'The length of the shortest loop round the surface',
+      'at a point, like a rubber band that holds tight.',
+    ],
+    picture: new URL('./terms/girth.webp', import.meta.url),
+  },
+  loop: {
+    title: 'Loop',
+    lines: [
+      'The shortest way round through a point. Both of its',
+      'halves are shortest paths to the dot half way round.',
+    ],
+    picture: new URL('./terms/loop.webp', import.meta.url),
+  },
+  tip: {
+    title: 'Tip',
+    lines: [
+      'Where the shape ends: a part that is cut off by a',
+      'line across which the girth jumps.',
+    ],
+    picture: new URL('./terms/tip.webp', import.meta.url),
+  },
+  tube: {
+    title: 'Tube',
+    lines: [
+      'Thin, and its girth is small: legs, bars, handles.',
+      'Its diameter is the girth divided by π.',
+    ],
+    picture: new URL('./terms/tube.webp', import.meta.url),
+  },
+  plate: {
+    title: 'Plate',
+    lines: [
+      'Thin, but its girth is large: seats, panels, blades.',
+      'Its thickness is the shape diameter (SDF).',
+    ],
+    picture: new URL('./terms/plate.webp', import.meta.url),
+  },
+  sdf: {
+    title: 'SDF, shape diameter function',
+    lines: [
+      'How thick the shape is at a point: the mean length',
+      'of rays from there through its inside.',
+    ],
+    picture: new URL('./terms/sdf.webp', import.meta.url),
+  },
+  thickness: {
+    title: 'Thickness',
+    lines: [
+      'The width of the largest ball inside that touches',
+      'the surface at a point. Edges sharper than 75° have none.',
+    ],
+    picture: new URL('./terms/thickness.svg', import.meta.url),
+  },
+  emd: {
+    title: 'EMD, earth mover’s distance',
+    lines: [
+      'The least work that makes one distribution the',
+      'other: the area between their cumulative curves.',
+    ],
+    picture: new URL('./terms/emd.svg', import.meta.url),
+  },
+} as const satisfies Record<string, Term>;
+
+export type TermName = keyof typeof terms;
+const termNames = Object.keys(terms) as TermName[];
+
+/** Milliseconds: a pointer that only passes by asks nothing, and one on its way to the words loses nothing. */
+const showDelay = 250;
+const hideDelay = 300;
+/** CSS pixels between the words and what they are about, and the edge of the window. */
+const gap = 10;
+
+/** A word that can be asked about. Not for the inside of other controls: see `explains`. */
+export function term(name: TermName, words: string): HTMLButtonElement {
+  const button = make('button', { type: 'button', class: 'term' }, words);
+  explains(button, name);
+  return button;
+}
+
+/** Lets a heading or a control explain a term while it is pointed at; undefined: no longer. */
+export function explains(element: HTMLElement, name: TermName | undefined): void {
+  if (name === undefined) delete element.dataset['term'];
+  else element.dataset['term'] = name;
+  if (element instanceof HTMLButtonElement && name) {
+    element.setAttribute('aria-describedby', `term-${name}`);
+  }
+}
+
+/** Explains every element of the page that has `data-term`, also such as come later. */
+export function explainTerms(): void {
+  const explanation = new Explanation();
+  // Screen readers have the words before the picture is there.
+  document.body.append(
+    ...termNames.map((name) =>
+      make('p', { id: `term-${name}`, hidden: '' }, terms[name].lines.join(' ')),
+    ),
+  );
+  for (const button of document.querySelectorAll<HTMLButtonElement>('button[data-term]')) {
+    explains(button, termOf(button));
+  }
+  explanation.listen();
+}
+
+function termOf(element: HTMLElement): TermName | undefined {
+  return termNames.find((name) => name === element.dataset['term']);
+}
+
+/** What an event is about; undefined beside all terms. */
+function askedAt(event: Event): HTMLElement | undefined {
+  const { target } = event;
+  if (!(target instanceof Element)) return undefined;
+  return target.closest<HTMLElement>('[data-term]') ?? undefined;
+}
+
+class Explanation {
+  readonly #picture = make('img', { alt: '', width: '112', height: '84' });
+  readonly #title = make('b');
+  readonly #lines = [make('span'), make('span')] as const;
+  readonly #element = make(
+    'div',
+    { class: 'explained', popover: 'manual', role: 'tooltip' },
+    this.#picture,
+    make('p', {}, this.#title, this.#lines[0], ' ', this.#lines[1]),
+  );
+  #anchor: HTMLElement | undefined;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor() {
+    // In the top layer wherever it stands, but for screen readers within the page's landmarks.
+    document.querySelector('main')!.append(this.#element);
+  }
+
+  listen(): void {
+    document.addEventListener('pointerover', (event) => {
+      if (event.pointerType !== 'mouse') return;
+      const anchor = askedAt(event);
+      const isInside = event.target instanceof Node && this.#element.contains(event.target);
+      if (isInside || (anchor && anchor === this.#anchor)) this.#later(undefined);
+      else if (anchor) this.#later(() => this.#show(anchor), showDelay);
+      else this.#later(this.#anchor && (() => this.#hide()), hideDelay);
+    });
+    document.addEventListener('focusin', (event) => {
+      const anchor = askedAt(event);
+      // Only of buttons: a control that is focused is about to be used.
+      if (anchor instanceof HTMLButtonElement && anchor.matches(':focus-visible')) {
+        this.#show(anchor);
+      }
+    });
+    document.addEventListener('focusout', () => this.#hide());
+    document.addEventListener('pointerdown', (event) => {
+      const anchor = askedAt(event);
+      if (anchor !== this.#anchor || !(anchor instanceof HTMLButtonElement)) this.#hide();
+    });
+    document.addEventListener('click', (event) => {
+      const anchor = askedAt(event);
+      if (!(anchor instanceof HTMLButtonElement)) return;
+      if (anchor === this.#anchor && event.pointerType === 'touch') this.#hide();
+      else this.#show(anchor);
+    });
+    document.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape' || !this.#anchor) return;
+      // The same key closes the sheet that the word is on.
+      this.#hide();
+    });
+    for (const moved of ['scroll', 'resize']) {
+      window.addEventListener(
+        moved,
+        () => this.#anchor && this.#place(this.#anchor.getBoundingClientRect()),
+        { capture: true, passive: true },
+      );
+    }
+  }
+
+  #later(act: (() => void) | undefined, delay = 0): void {
+    clearTimeout(this.#timer);
+    this.#timer = act && setTimeout(act, delay);
+  }
+
+  #show(anchor: HTMLElement): void {
+    this.#later(undefined);
+    const name = termOf(anchor);
+    if (!name || !anchor.isConnected) return;
+    const { title, lines, picture } = terms[name];
+    this.#anchor = anchor;
+    this.#title.textContent = title;
+    this.#lines.forEach((line, i) => (line.textContent = lines[i]!));
+    if (this.#picture.src !== picture.href) this.#picture.src = picture.href;
+    if (!this.#element.matches(':popover-open')) this.#element.showPopover();
+    this.#place(anchor.getBoundingClientRect());
+  }
+
+  #hide(): void {
+    this.#later(undefined);
+    this.#anchor = undefined;
+    if (this.#element.matches(':popover-open')) this.#element.hidePopover();
+  }
+
+  /** Beside the panels, so that it covers nothing of them; where there is no room, above the word or below. */
+  #place(anchor: DOMRect): void {
+    const element = this.#element;
+    const { offsetWidth: width, offsetHeight: height } = element;
+    const side = document.querySelector('aside')?.getBoundingClientRect();
+    const isInSide = side !== undefined && anchor.left >= side.left && anchor.right <= side.right;
+    let [x, y] = [anchor.left, anchor.top - height - gap];
+    if (isInSide && side.left >= width + 2 * gap)
+      [x, y] = [side.left - width - gap, anchor.top - gap];
+    else if (y < gap) y = anchor.bottom + gap;
+    const within = (place: number, size: number, room: number): number =>
+      Math.max(gap, Math.min(place, room - size - gap));
+    element.style.left = `${within(x, width, innerWidth)}px`;
+    element.style.top = `${within(y, height, innerHeight)}px`;
+  }
+}

@@ -1,0 +1,201 @@
+// Which model is on the page, where it came from, and what was done to it.
+
+import type { HandleRemoval, MeshSource, PrepareOptions } from '../../src/kernel/index.js';
+import { type GirthViewer, formatCount } from '../../src/element/index.js';
+import type { PageState } from '../state/address-state.js';
+
+/** A model that can be read again, to be prepared otherwise. */
+export interface Opened {
+  source: MeshSource;
+  /** How a link names it: an example or an address, or the name of a file that it cannot have. */
+  link: Pick<PageState, 'model' | 'file'>;
+  /** Which of several models that came together. */
+  model?: string | undefined;
+  prepare: PrepareOptions;
+  /** What was done to it after reading: the wished faces, and words for it. */
+  remeshed?: { faces: number; words: string } | undefined;
+  /** After that, handles shorter than this were taken away, in model units. */
+  handles?: number | undefined;
+  /** And before they were taken away last, those shorter than this had been. */
+  handlesBefore?: number | undefined;
+}
+
+/** As it is read. */
+const asRead = { remeshed: undefined, handles: undefined, handlesBefore: undefined };
+
+/** Whether two are the same surface: read from the same, and prepared in the same way. */
+export function isSameModel(one: Opened, other: Opened): boolean {
+  const done = ({ source, model, prepare, remeshed, handles }: Opened): string =>
+    JSON.stringify([
+      typeof source === 'string' ? source : '',
+      ...[model, prepare, remeshed?.faces, handles],
+    ]);
+  return one.source === other.source && done(one) === done(other);
+}
+
+export class Session {
+  /** What is shown. */
+  opened: Opened | undefined;
+  /** What will be shown when the element has it. */
+  #next: Opened | undefined;
+  /** Files that were dropped or chosen on this visit, by the names that links have for them. */
+  readonly #files = new Map<string, Opened>();
+  readonly #viewer: GirthViewer;
+  /** How many models were asked for. */
+  #asked = 0;
+  /** The number of the one that was opened last. */
+  #latest = 0;
+
+  constructor(viewer: GirthViewer) {
+    this.#viewer = viewer;
+  }
+
+  /** A number for a model that was asked for now, and whose files have to be found or looked into before it is opened. */
+  ask(): number {
+    return ++this.#asked;
+  }
+
+  /** Whether a model that was asked for later has been opened meanwhile: it stays. */
+  isOvertaken(asked: number): boolean {
+    return asked < this.#latest;
+  }
+
+  /**
+   * Shows a model; what goes wrong is written on the surface by the element itself. False where that is so.
+   * `asked`: its number. Default: it was asked for now.
+   */
+  async open(wanted: Opened, asked = this.ask()): Promise<boolean> {
+    this.#latest = asked;
+    this.#next = wanted;
+    const { source, model, prepare } = wanted;
+    const options = model === undefined ? { prepare } : { prepare, model };
+    return this.#viewer.load(source, options).then(
+      () => true,
+      () => false,
+    );
+  }
+
+  /** Whether the surface can be remeshed: otherwise the model must be read again before. */
+  get canRemesh(): boolean {
+    const { opened } = this;
+    return opened?.handles === undefined && (!opened?.remeshed || !!this.#viewer.original);
+  }
+
+  async remesh(faces: number): Promise<boolean> {
+    const viewer = this.#viewer;
+    const { opened } = this;
+    if (!opened || !viewer.info) return false;
+    const before = formatCount((viewer.original ?? viewer.info).faceCount);
+    const words = `remeshed from ${before} to about ${formatCount(faces)} faces`;
+    this.#next = { ...opened, remeshed: { faces, words } };
+    return viewer.remesh(faces).then(
+      () => true,
+      () => false,
+    );
+  }
+
+  /** Shows it without its short handles; undefined where that came to nothing. */
+  async removeHandles(length: number): Promise<HandleRemoval | undefined> {
+    const { opened } = this;
+    if (!opened) return undefined;
+    const { handles: before } = opened;
+    const next = { ...opened, handles: Math.max(length, before ?? 0), handlesBefore: before };
+    this.#next = next;
+    const removal = await this.#viewer.removeHandles(length).catch(() => undefined);
+    if (this.opened !== next && this.#next === next) this.#next = opened;
+    return removal;
+  }
+
+  /** Whether a link names what this surface was before handles were taken away last. */
+  isBefore({ handles, ...rest }: PageState): boolean {
+    const { opened } = this;
+    if (opened?.handles === undefined || !this.#viewer.removal) return false;
+    return handles === opened.handlesBefore && this.isOf({ ...rest, handles: opened.handles });
+  }
+
+  /** Shows the surface with its handles again. */
+  async restore(): Promise<boolean> {
+    const { opened } = this;
+    if (!opened) return false;
+    this.#next = { ...opened, handles: opened.handlesBefore, handlesBefore: undefined };
+    return this.#viewer.restore().then(
+      () => true,
+      () => false,
+    );
+  }
+
+  /** The same model, prepared otherwise. */
+  reopen(change: PrepareOptions): void {
+    const { opened } = this;
+    if (!opened) return;
+    const prepare = { ...opened.prepare, ...change };
+    void this.open({ ...opened, ...asRead, prepare });
+  }
+
+  /** The file of that name, where it was opened before on this visit: no link can have it. */
+  openedBefore(file: string): Opened | undefined {
+    const before = this.#files.get(file);
+    return before && { ...before, ...asRead };
+  }
+
+  /** How many times as large as its file the model is. */
+  get scale(): number {
+    return this.opened?.prepare.scale ?? 1;
+  }
+
+  /** The model as its file has it. */
+  back(): void {
+    if (this.opened) void this.open({ ...this.opened, ...asRead, prepare: {} });
+  }
+
+  /** Another of the models that came together. */
+  choose(model: string): void {
+    const { opened } = this;
+    if (!opened) return;
+    void this.open({ source: opened.source, link: { file: model }, model, prepare: {} });
+  }
+
+  /** Which of several models that came together is shown. */
+  name(model: string): void {
+    if (this.opened) this.opened = { ...this.opened, model, link: { file: model } };
+  }
+
+  /** The element shows what was asked for last; returns whether it is another model than before. */
+  arrived(): boolean {
+    const next = this.#next;
+    const { opened } = this;
+    this.opened = next;
+    if (next?.link.file !== undefined) this.#files.set(next.link.file, next);
+    return opened?.source !== next?.source || opened?.model !== next?.model;
+  }
+
+  read(): PageState {
+    const { opened } = this;
+    if (!opened) return {};
+    const { prepare, remeshed, handles, link } = opened;
+    const state: PageState = { ...link };
+    if (prepare.closeHoles) state.closed = true;
+    if (prepare.weldDistance) state.weld = prepare.weldDistance;
+    if (this.scale !== 1) state.scale = this.scale;
+    if (prepare.components?.length) state.components = [...prepare.components];
+    if (remeshed) state.faces = remeshed.faces;
+    if (handles !== undefined) state.handles = handles;
+    return state;
+  }
+
+  /** Whether what is shown is what a link names, prepared in the same way. */
+  isOf(state: PageState): boolean {
+    const keys = [
+      'model',
+      'file',
+      'closed',
+      'weld',
+      'components',
+      'scale',
+      'faces',
+      'handles',
+    ] as const;
+    const now = this.read();
+    return keys.every((key) => JSON.stringify(now[key]) === JSON.stringify(state[key]));
+  }
+}

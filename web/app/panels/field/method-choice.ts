@@ -1,0 +1,149 @@
+// How the girth is computed. Of large models the page has that of few triangles first; the rest is there on demand.
+
+import type { Field, GirthAudit, MeshInfo, RefinedGirth } from '../../../src/kernel/index.js';
+import {
+  type GirthMethod,
+  type GirthViewer,
+  formatCount,
+  make,
+  sentence,
+} from '../../../src/element/index.js';
+import type { PageState } from '../../state/address-state.js';
+import { setAttribute } from '../../widgets/dom.js';
+import { Draft } from '../../widgets/draft.js';
+import { kernel } from '../../model/kernel.js';
+import { memoryWords, mostMemory, refinedMemory } from './refined-memory.js';
+
+/** Models from this many faces on are computed on few triangles first: exactly they would take long. */
+const manyFaces = 100_000;
+/** What the methods change. */
+const concerned = new Set(['igf', 'kind', 'state', 'tips', 'parts']);
+const methods: readonly [GirthMethod, string][] = [
+  ['coarse', 'on fewer triangles'],
+  ['refined', 'refined, at all vertices'],
+  ['exact', 'exact, at all vertices'],
+];
+
+export class MethodChoice {
+  readonly element = make('div', { class: 'method' });
+  readonly #select = make('select', { id: 'method' });
+  readonly #said = make('p', { class: 'hint', role: 'status' });
+  readonly #draft: Draft;
+  #name = 'none';
+  readonly #viewer: GirthViewer;
+  readonly #changed: () => void;
+
+  constructor(viewer: GirthViewer, changed: () => void) {
+    this.#viewer = viewer;
+    this.#changed = changed;
+    this.#select.append(...methods.map(([value, words]) => make('option', { value }, words)));
+    this.#draft = new Draft(this.#select, {
+      committed: (method) => this.#choose(method as GirthMethod),
+    });
+    this.element.append(
+      make('p', { class: 'row' }, make('label', { for: 'method' }, 'Girth'), this.#select),
+      this.#said,
+    );
+    viewer.addEventListener('field', ({ detail: { name, share } }) => {
+      // What was there before is there again at once.
+      const isStopped = name === 'igf' && share < 1 && this.method === 'refined';
+      if (isStopped && viewer.shown) this.#choose('coarse');
+    });
+    viewer.addEventListener('error', ({ detail: { code } }) => {
+      if (code === 'OUT_OF_MEMORY' && this.method === 'refined') this.#choose('coarse');
+    });
+    viewer.addEventListener('progress', () => this.show(this.#name));
+    this.show(this.#name);
+  }
+
+  get method(): GirthMethod {
+    const text = this.#viewer.getAttribute('method');
+    return methods.find(([method]) => method === text)?.[0] ?? 'exact';
+  }
+
+  /** What the page does unless somebody chooses; files may have the girth in them. */
+  get #usual(): GirthMethod {
+    const { info, given } = this.#viewer;
+    return info && info.faceCount >= manyFaces && !given.includes('igf') ? 'coarse' : 'exact';
+  }
+
+  /** Another model: as is usual for it. */
+  clear(): void {
+    this.#draft.discard();
+    this.#set(this.#usual);
+  }
+
+  read(): PageState {
+    const { method } = this;
+    return method === this.#usual ? {} : { method };
+  }
+
+  apply({ method }: PageState): void {
+    this.#set(method ?? this.#usual);
+  }
+
+  /** For what colours the surface; hidden where the method does not matter to it, and for small models. */
+  show(name: string): void {
+    this.#name = name;
+    const { method } = this;
+    this.element.hidden = !concerned.has(name) || (method === 'exact' && this.#usual === 'exact');
+    if (this.element.hidden) return;
+    this.#draft.show(method);
+    const { info } = this.#viewer;
+    if (!info) return;
+    if (this.#viewer.shareOf('igf') < 1) {
+      this.#say(wordsBefore(method, info));
+      return;
+    }
+    void Promise.all([this.#viewer.fieldOf('igf'), kernel]).then(
+      ([field, { mode, threads }]) => {
+        if (this.#viewer.info !== info || this.method !== method) return;
+        this.#say(wordsOf(field, info, mode === 'threads' ? threads : 1));
+      },
+      () => undefined,
+    );
+  }
+
+  /** Said once, however often it is shown. */
+  #say(words: string): void {
+    if (this.#said.textContent !== words) this.#said.textContent = words;
+  }
+
+  #set(method: GirthMethod): void {
+    setAttribute(this.#viewer, 'method', method === 'exact' ? '' : method);
+  }
+
+  #choose(method: GirthMethod): void {
+    this.#set(method);
+    this.#changed();
+  }
+}
+
+/** What is being done. */
+function wordsBefore(method: GirthMethod, { vertexCount }: MeshInfo): string {
+  if (method === 'refined') return 'The colours are those of fewer triangles until it is done.';
+  if (method === 'coarse') return '';
+  return `Exact at each of ${formatCount(vertexCount)} vertices: this may take hours.`;
+}
+
+/** What was done, and what else there is. */
+function wordsOf(field: Field, info: MeshInfo, threads: number): string {
+  if ('audit' in field) return auditWords((field as RefinedGirth).audit);
+  // The refined method knows no persistence; and of what was computed exactly nothing is to be said.
+  if (!field.note || field.persistence) return sentence(field.note);
+  const bytes = refinedMemory(info, field.values, threads);
+  const room = bytes > mostMemory ? `, and a page has ${memoryWords(mostMemory)}` : '';
+  return (
+    `${sentence(field.note)} Refined, at each of ${formatCount(info.vertexCount)} vertices, it takes about ` +
+    `${memoryWords(bytes)} of memory${room}.`
+  );
+}
+
+/** What the audit has found, in a sentence; '' where there was none. */
+function auditWords({ vertices, equal }: GirthAudit): string {
+  if (vertices === 0) return '';
+  return (
+    `${formatCount(equal)} of ${formatCount(vertices)} vertices that were drawn at random and computed exactly ` +
+    `are equal to one part in a million.`
+  );
+}

@@ -1,0 +1,472 @@
+// The print check: what is too thin for a printer, listed, pictured and reported.
+
+import {
+  type Category,
+  type GirthViewer,
+  type PlacePicture,
+  formatLength,
+  make,
+  sentence,
+} from '../../../src/element/index.js';
+import type { MeshInfo, PrintCheck, PrintLimits, WeakPlace } from '../../../src/kernel/index.js';
+import { formatArea } from '../../widgets/area-words.js';
+import { Draft } from '../../widgets/draft.js';
+import type { PageState } from '../../state/address-state.js';
+import { failureWords } from '../../widgets/failure-words.js';
+import { LengthInput } from '../../widgets/length-input.js';
+import { namedScale, scaleWords, tallWords } from '../../model/model-size.js';
+import { modelFacts, plural } from '../../model/model-words.js';
+import { Panel } from '../../widgets/panel.js';
+import { PlaceList } from '../../widgets/place-list.js';
+import { printPresets } from './print-presets.js';
+import {
+  type PrintReport,
+  type ReportedPlace,
+  answerWords,
+  measureNames,
+  printReportHtml,
+  uncheckedWords,
+} from './print-report.js';
+import { saveFile, stemOf } from '../../export/save-file.js';
+import { type ModelScale, SizeChoice } from '../../model/size-choice.js';
+import { explains } from '../../help/terms.js';
+
+/** Places that get a picture in the list, and in the report. */
+const picturedPlaces = 12;
+const reportedPlaces = 60;
+/** What the surface is coloured by once it is checked. */
+const kinds: readonly Category[] = [
+  { name: 'thick enough', colour: '#cfd0d3', hatched: false },
+  { name: 'thin tube', colour: '#d55e00', hatched: true },
+  { name: 'thin wall', colour: '#0072b2', hatched: true },
+  { name: 'narrow gap', colour: '#cc79a7', hatched: true },
+];
+const kindCodes = { tube: 1, wall: 2, gap: 3 } as const;
+
+interface Checked {
+  limits: PrintLimits;
+  check: PrintCheck;
+  pictures: Map<WeakPlace, ReportedPlace>;
+  /** The pictures as the list has them. */
+  images: Map<WeakPlace, HTMLImageElement>;
+}
+
+export class PrintPanel {
+  readonly panel = new Panel('print-panel');
+  readonly #size: SizeChoice;
+  readonly #preset = make('select', { id: 'print-preset' });
+  readonly #presetDraft: Draft;
+  readonly #source = make('p', { class: 'hint', id: 'print-source' });
+  readonly #tube: LengthInput;
+  readonly #wall: LengthInput;
+  readonly #gap: LengthInput;
+  readonly #answer = make('p', { class: 'answer', role: 'status' });
+  readonly #grow = make('button', { type: 'button', class: 'plain' });
+  readonly #remedy = make('p', { class: 'buttons' }, this.#grow);
+  readonly #cautions = make('ul', { class: 'cautions' });
+  readonly #list = new PlaceList('Places that are too thin');
+  readonly #reports: HTMLElement;
+  #checked: Checked | undefined;
+  /** What is to be known of the thickness. */
+  #note = '';
+  #asked = 0;
+  /** The model that is coloured by its places. */
+  #coloured: MeshInfo | undefined;
+  readonly #hasColoured: () => void;
+  /** Checks again when the model is there in its other size. */
+  #isToBeChecked = false;
+  readonly #viewer: GirthViewer;
+
+  constructor(viewer: GirthViewer, model: ModelScale, changed: () => void, coloured: () => void) {
+    this.#hasColoured = coloured;
+    this.#viewer = viewer;
+    this.#size = new SizeChoice('print-', viewer, model);
+    const ownNumbers = {
+      changed: () => {
+        this.#showSource('');
+        changed();
+      },
+    };
+    this.#tube = new LengthInput('min-tube', 'Tube diameter ≥', ownNumbers);
+    this.#wall = new LengthInput('min-wall', 'Wall thickness ≥', ownNumbers);
+    this.#gap = new LengthInput('min-gap', 'Gap ≥', ownNumbers);
+    explains(this.#tube.label, 'tube');
+    explains(this.#wall.label, 'thickness');
+    this.#preset.append(
+      make('option', { value: '' }, 'own numbers'),
+      ...printPresets.map(({ name }) => make('option', { value: name }, name)),
+    );
+    this.#presetDraft = new Draft(this.#preset, {
+      committed: (name) => {
+        this.#choosePreset(name);
+        changed();
+      },
+    });
+    const submit = make('button', { class: 'plain', id: 'check' }, 'Check');
+    const form = make(
+      'form',
+      {},
+      this.#size.element,
+      make(
+        'p',
+        { class: 'length' },
+        make('label', { for: 'print-preset' }, 'Printer'),
+        this.#preset,
+      ),
+      this.#tube.label,
+      this.#wall.label,
+      this.#gap.label,
+      this.#source,
+      make('p', {}, submit),
+    );
+    form.noValidate = true;
+    form.addEventListener('submit', (event) => {
+      event.preventDefault();
+      void this.#run();
+    });
+    this.#grow.addEventListener('click', () => {
+      const { passingScale = 1 } = this.#checked?.check ?? {};
+      this.#isToBeChecked = true;
+      model.rescale(model.scale * namedScale(passingScale));
+    });
+    const html = make('button', { type: 'button', class: 'plain' }, 'Report (HTML)');
+    html.addEventListener('click', () => void this.#save('html'));
+    const json = make('button', { type: 'button', class: 'plain' }, 'JSON');
+    json.addEventListener('click', () => void this.#save('json'));
+    this.#reports = make('p', { class: 'buttons' }, html, json);
+    this.panel.body.append(
+      this.#answer,
+      this.#remedy,
+      this.#cautions,
+      form,
+      this.#reports,
+      this.#list.element,
+    );
+    this.panel.onToggle((isOpen) => {
+      if (isOpen) this.#refresh();
+      this.#colour();
+      changed();
+    });
+    viewer.addEventListener('unit', () => this.#changeUnit());
+    this.clear(true);
+  }
+
+  get #inputs(): readonly LengthInput[] {
+    return [this.#tube, this.#wall, this.#gap];
+  }
+
+  /** What can be printed, for a link. */
+  read(): Pick<PageState, 'tube' | 'wall' | 'gap' | 'printer'> {
+    const state: ReturnType<PrintPanel['read']> = {};
+    if (this.#tube.length) state.tube = this.#tube.length;
+    if (this.#wall.length) state.wall = this.#wall.length;
+    if (this.#gap.length) state.gap = this.#gap.length;
+    const preset = printPresets.find(({ name }) => name === this.#presetDraft.text);
+    if (preset) state.printer = preset.key;
+    return state;
+  }
+
+  /** Takes what a link has; what is there already stays, with its answer. */
+  apply({ tube, wall, gap, printer }: PageState): void {
+    const now = this.read();
+    if (now.tube === tube && now.wall === wall && now.gap === gap && now.printer === printer)
+      return;
+    this.#forget();
+    this.#tube.show(tube, this.#viewer.lengthFormat);
+    this.#wall.show(wall, this.#viewer.lengthFormat);
+    this.#gap.show(gap, this.#viewer.lengthFormat);
+    this.#showSource(printPresets.find(({ key }) => key === printer)?.name ?? '');
+  }
+
+  /** Another model, or the same one in another size, which keeps what can be printed. */
+  clear(isAnother: boolean): void {
+    if (isAnother) {
+      for (const input of this.#inputs) {
+        input.discard();
+        input.show(undefined, this.#viewer.lengthFormat);
+      }
+      this.#showSource('');
+      this.#isToBeChecked = false;
+    }
+    this.#unit = this.#viewer.unit;
+    this.#size.clear();
+    this.#forget();
+    if (!this.#isToBeChecked) return;
+    this.#isToBeChecked = false;
+    void this.#run();
+  }
+
+  /** Numbers stay as they were typed, and count in the unit that is now beside them. */
+  #changeUnit(): void {
+    const { lengthFormat } = this.#viewer;
+    const isSame = this.#unit === this.#viewer.unit;
+    this.#unit = this.#viewer.unit;
+    for (const input of this.#inputs) {
+      // Only shown in another unit, a length remains what it is.
+      if (isSame) input.show(input.length, lengthFormat);
+      else input.setUnit(lengthFormat);
+    }
+    if (isSame) this.#show();
+    else this.#forget();
+  }
+
+  /** Of the model, as the limits have it. */
+  #unit = '';
+
+  #choosePreset(name: string): void {
+    const preset = printPresets.find((one) => one.name === name);
+    if (!preset) return this.#showSource('');
+    const { tubeDiameter, wallThickness } = preset;
+    const isTaken = this.#tube.type(tubeDiameter) && this.#wall.type(wallThickness);
+    if (!isTaken) {
+      this.#forget();
+      this.#answer.textContent = 'First choose the unit of the file, above: these are millimetres.';
+      for (const input of [this.#tube, this.#wall]) {
+        input.discard();
+        input.show(undefined, this.#viewer.lengthFormat);
+      }
+    }
+    this.#showSource(isTaken ? name : '');
+  }
+
+  /** Whose numbers the limits are. */
+  #showSource(name: string): void {
+    const preset = printPresets.find((one) => one.name === name);
+    this.#presetDraft.show(name);
+    if (!preset) {
+      // In the room of the source, so that the button below stays where somebody is about to press.
+      this.#source.textContent = 'With or without a unit: 3, 3 mm, 0.1in.';
+      return;
+    }
+    const { tubeDiameter, wallThickness, source } = preset;
+    const link = make(
+      'a',
+      { href: source.address, target: '_blank', rel: 'noopener noreferrer' },
+      source.title,
+    );
+    this.#source.replaceChildren(`${tubeDiameter} and ${wallThickness}: `, link);
+  }
+
+  #forget(): void {
+    ++this.#asked;
+    this.#checked = undefined;
+    this.#note = '';
+    this.#answer.textContent = '';
+    this.#answer.className = 'answer';
+    this.panel.summary = '';
+    this.#colour();
+    this.#refresh();
+  }
+
+  /** All places that fail at once, with a legend, as long as the panel is open. */
+  #colour(): void {
+    const viewer = this.#viewer;
+    const { info } = viewer;
+    if (!info) return;
+    if (!this.#checked || !this.panel.isOpen) {
+      if (this.#coloured === info) viewer.showPlaces(undefined);
+      this.#coloured = undefined;
+      this.#hasColoured();
+      return;
+    }
+    this.#coloured = info;
+    const kindOf = new Uint8Array(info.vertexCount);
+    for (const { kind, vertices } of this.#checked.check.places) {
+      // What is thin as a tube or a wall stays that, whatever is beside it.
+      for (const vertex of vertices) kindOf[vertex] ||= kindCodes[kind];
+    }
+    viewer.showPlaces({ title: 'Print check', kinds: kindOf, categories: kinds });
+    this.#hasColoured();
+  }
+
+  /** Whether the surface is coloured by what was found, and not by a field. */
+  get isColouring(): boolean {
+    const { info, shown } = this.#viewer;
+    return this.#coloured !== undefined && this.#coloured === info && !shown;
+  }
+
+  #refresh(): void {
+    const viewer = this.#viewer;
+    for (const input of this.#inputs) input.show(input.length, viewer.lengthFormat);
+    this.#size.refresh();
+    this.#cautions.replaceChildren(...this.#words().map((line) => make('li', {}, line)));
+    this.#reports.hidden = !this.#checked;
+    const { places = [], passingScale = 0 } = this.#checked?.check ?? {};
+    this.#list.element.hidden = places.length === 0;
+    this.#remedy.hidden = places.length === 0 || !Number.isFinite(passingScale);
+    this.#grow.textContent = `Make it ${scaleWords(passingScale)}${passingScale < 10 ? '' : ' as large'}`;
+  }
+
+  /** What stands in the way of trusting the answer. */
+  #words(): string[] {
+    const { info, unit } = this.#viewer;
+    if (!info) return [];
+    const words: string[] = [];
+    if (!unit) {
+      words.push(
+        'The file does not state its unit. Choose it, or type lengths in the file’s own unit.',
+      );
+    }
+    const holes = info.boundaries.reduce((sum, count) => sum + count, 0);
+    if (holes > 0) {
+      words.push(
+        `The surface is open: it has ${plural(holes, 'hole', 'holes')}, and thickness near ${holes === 1 ? 'it' : 'them'} ` +
+          'may be wrong. What can be printed is closed.',
+      );
+    }
+    if (this.#note) words.push(this.#note);
+    const unchecked = this.#checked && uncheckedWords(this.#checked.limits);
+    if (unchecked) words.push(`Not checked: ${unchecked}.`);
+    return words;
+  }
+
+  async #run(): Promise<void> {
+    const [viewer, tube, wall, gap] = [this.#viewer, this.#tube, this.#wall, this.#gap];
+    const { info } = viewer;
+    // What was typed counts, whether or not the field has been left.
+    const wrong = this.#inputs.filter((input) => !input.commit())[0];
+    // An older answer is none to what is asked now.
+    this.#forget();
+    if (wrong || (!tube.length && !wall.length && !gap.length)) {
+      this.#answer.textContent = wrong
+        ? `${wrong.fault}.`
+        : 'Type a least tube diameter, wall thickness or gap, or choose a printer.';
+      (wrong ?? tube).input.focus();
+      return;
+    }
+    if (!info) return;
+    const limits = {
+      tubeDiameter: tube.length ?? 0,
+      wallThickness: wall.length ?? 0,
+      gap: gap.length ?? 0,
+    };
+    const asked = ++this.#asked;
+    this.#answer.textContent = 'Checking …';
+    try {
+      const note = limits.wallThickness > 0 ? (await viewer.fieldOf('thickness')).note : '';
+      if (asked !== this.#asked || viewer.info !== info) return;
+      this.#note = sentence(note);
+      this.#refresh();
+      const check = await viewer.printCheck(limits);
+      if (asked !== this.#asked || viewer.info !== info) return;
+      this.#checked = { limits, check, pictures: new Map(), images: new Map() };
+      this.#show();
+      for (const place of check.places.slice(0, picturedPlaces)) {
+        await this.#picture(this.#checked, place);
+        if (asked !== this.#asked || viewer.info !== info) return;
+        this.#show();
+      }
+    } catch (error) {
+      if (asked !== this.#asked || viewer.info !== info) return;
+      this.#answer.textContent = `Not checked: ${failureWords(error)}.`;
+    }
+  }
+
+  #show(): void {
+    const [checked, viewer] = [this.#checked, this.#viewer];
+    if (!checked) return;
+    const { check, pictures } = checked;
+    const { places } = check;
+    const format = viewer.lengthFormat;
+    this.#answer.className = `answer ${places.length > 0 ? 'fails' : 'passes'}`;
+    const words = answerWords(check, checked.limits);
+    // Said once: a live region speaks whenever it changes.
+    if (this.#answer.textContent !== words) this.#answer.textContent = words;
+    this.panel.summary = places.length > 0 ? `${places.length} ✕` : '✓';
+    if (pictures.size === 0) this.#colour();
+    this.#refresh();
+    this.#list.show(
+      places.map((place) => {
+        const made = pictures.get(place);
+        const loop = made?.loop === undefined ? '' : ` · loop ${formatLength(made.loop, format)}`;
+        return {
+          main: `${measureNames[place.kind]} ${formatLength(place.least, format)}`,
+          detail: `${place.kind}${loop} · area ${formatArea(place.area, format)}`,
+          picture:
+            made?.picture === undefined ? undefined : this.#image(checked, place, made.picture),
+          choose: () => viewer.flyTo({ vertices: place.vertices }),
+        };
+      }),
+    );
+  }
+
+  #image({ images }: Checked, place: WeakPlace, src: string): HTMLImageElement {
+    const image = images.get(place) ?? make('img', { src, alt: '' });
+    images.set(place, image);
+    return image;
+  }
+
+  /** The loop at a place, where it is a tube, and a picture of both. */
+  async #picture({ pictures }: Checked, place: WeakPlace): Promise<ReportedPlace> {
+    const viewer = this.#viewer;
+    const known = pictures.get(place);
+    if (known) return known;
+    const loop = place.kind === 'tube' ? await viewer.loop(place.thinnest) : undefined;
+    const picture = await this.#pictureOf({
+      vertices: place.vertices,
+      ...(loop ? { loop } : {}),
+    });
+    const made = { place, loop: loop?.length, picture };
+    pictures.set(place, made);
+    return made;
+  }
+
+  /** The whole shape, as it is coloured now. */
+  #overview({ vertexCount }: MeshInfo): Promise<string | undefined> {
+    const vertices = Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex);
+    return this.#pictureOf({ vertices, width: 960, height: 640 });
+  }
+
+  /** As an address; undefined where the browser gives no 3D graphics: the check holds without pictures. */
+  async #pictureOf(wanted: PlacePicture): Promise<string | undefined> {
+    try {
+      return await dataAddress(await this.#viewer.snapshotOf(wanted));
+    } catch (error) {
+      if (error instanceof Error && 'code' in error && error.code === 'NO_WEBGL') return undefined;
+      throw error;
+    }
+  }
+
+  async #save(ending: 'html' | 'json'): Promise<void> {
+    const [checked, viewer] = [this.#checked, this.#viewer];
+    const { info } = viewer;
+    if (!checked || !info) return;
+    const { check, limits } = checked;
+    const name = `${stemOf(info.name)}-print-check.${ending}`;
+    try {
+      if (ending === 'json') {
+        saveFile(await viewer.exportWeakPlaces(limits, 'json'), name);
+        return;
+      }
+      const places: ReportedPlace[] = [];
+      for (const place of check.places.slice(0, reportedPlaces)) {
+        places.push(await this.#picture(checked, place));
+      }
+      const [, ...facts] = modelFacts(info);
+      const report: PrintReport = {
+        model: info.name,
+        facts: [tallWords(viewer.height, viewer.lengthFormat), ...facts].join(' · '),
+        cautions: this.#words().filter((line) => !line.startsWith('Not checked')),
+        limits,
+        source: this.#presetDraft.text && (this.#source.textContent ?? ''),
+        check,
+        format: viewer.lengthFormat,
+        places,
+        overview: await this.#overview(info),
+        date: new Date().toISOString().slice(0, 10),
+      };
+      saveFile(printReportHtml(report), name);
+    } catch (error) {
+      this.#answer.textContent = `That could not be written: ${failureWords(error)}.`;
+    }
+  }
+}
+
+function dataAddress(blob: Blob): Promise<string> {
+  return new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.addEventListener('load', () => resolve(reader.result as string));
+    reader.addEventListener('error', () => reject(reader.error ?? new Error('no picture')));
+    reader.readAsDataURL(blob);
+  });
+}

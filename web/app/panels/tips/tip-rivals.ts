@@ -1,0 +1,160 @@
+// What other ways find where a shape ends, beside the tips: the comparison of the paper's Figure 13.
+
+import { type GirthViewer, fieldTitle, formatLength, make } from '../../../src/element/index.js';
+import type { Maximum } from '../../../src/kernel/index.js';
+import { Draft } from '../../widgets/draft.js';
+import { failureWords } from '../../widgets/failure-words.js';
+import { plural } from '../../model/model-words.js';
+import { PlaceList } from '../../widgets/place-list.js';
+import { plainNumber } from '../../widgets/table-text.js';
+
+/** `sdf` colours the surface; the others are points. */
+const rivals = [
+  ['', 'nothing'],
+  ['heat', 'heat maxima'],
+  ['geoaverage', 'GeoAverage'],
+  ['sdf', 'thickness'],
+] as const;
+type Rival = (typeof rivals)[number][0];
+const most = 50;
+
+/** A maximum or a minimum, and where it stands among all of both kinds. */
+interface Extremum extends Maximum {
+  isMinimum: boolean;
+}
+
+export interface RivalsPage {
+  /** Colours the surface by thickness, or as before. */
+  colour(bySdf: boolean): void;
+}
+
+export class TipRivals {
+  readonly element = make('div', { class: 'rivals' });
+  readonly #choice = make('select', { id: 'rival' });
+  readonly #count = make('input', {
+    id: 'rival-count',
+    type: 'number',
+    min: '1',
+    max: String(most),
+  });
+  readonly #choiceDraft: Draft;
+  readonly #countDraft: Draft;
+  readonly #countLine: HTMLElement;
+  readonly #words = make('p', { class: 'hint', role: 'status' });
+  readonly #list = new PlaceList('Points beside the tips');
+  #found: { rival: Rival; extrema: Extremum[] } | undefined;
+  /** Whether the surface is coloured by thickness for this. */
+  #isColoured = false;
+  #asked = 0;
+  readonly #viewer: GirthViewer;
+  readonly #page: RivalsPage;
+
+  constructor(viewer: GirthViewer, page: RivalsPage) {
+    this.#viewer = viewer;
+    this.#page = page;
+    const [choice, count] = [this.#choice, this.#count];
+    choice.append(...rivals.map(([value, words]) => make('option', { value }, words)));
+    this.#choiceDraft = new Draft(choice, { committed: () => void this.#choose() });
+    this.#countDraft = new Draft(count, {
+      edited: () => this.#draw(),
+      ended: () => this.#draw(),
+    });
+    this.#countLine = make(
+      'p',
+      { class: 'length' },
+      make('label', { for: 'rival-count' }, 'Points shown, most persistent first'),
+      count,
+    );
+    this.element.append(
+      make('div', { class: 'row' }, make('label', { for: 'rival' }, 'Compare with'), choice),
+      this.#words,
+      this.#countLine,
+      this.#list.element,
+    );
+    this.clear(0);
+  }
+
+  /** Another model, or the panel is closed; `tips`: so many points are as many as the tips. */
+  clear(tips: number): void {
+    ++this.#asked;
+    this.#colour(false);
+    this.#choiceDraft.discard();
+    this.#choiceDraft.show('');
+    this.#countDraft.discard();
+    this.#found = undefined;
+    this.expect(tips);
+    this.#draw();
+  }
+
+  /** As many points as there are tips, to begin with. */
+  expect(tips: number): void {
+    this.#countDraft.show(String(Math.min(most, Math.max(1, tips))));
+  }
+
+  #colour(bySdf: boolean): void {
+    if (bySdf === this.#isColoured) return;
+    this.#isColoured = bySdf;
+    this.#page.colour(bySdf);
+  }
+
+  async #choose(): Promise<void> {
+    const viewer = this.#viewer;
+    const rival = this.#choiceDraft.text as Rival;
+    const asked = ++this.#asked;
+    this.#found = undefined;
+    this.#draw();
+    this.#colour(rival === 'sdf');
+    if (rival === '' || rival === 'sdf') return;
+    this.#words.textContent = 'Computing the points …';
+    try {
+      const extrema =
+        rival === 'heat'
+          ? ofKind(await viewer.heatMaxima(), false)
+          : [
+              ...ofKind(await viewer.maxima(rival), false),
+              ...ofKind(await viewer.maxima(rival, { minima: true }), true),
+            ];
+      if (asked !== this.#asked) return;
+      extrema.sort((a, b) => b.persistence - a.persistence);
+      this.#found = { rival, extrema };
+      this.#draw();
+    } catch (error) {
+      if (asked !== this.#asked) return;
+      this.#words.textContent = `Not found: ${failureWords(error)}.`;
+    }
+  }
+
+  #draw(): void {
+    const [found, viewer] = [this.#found, this.#viewer];
+    const wanted = Math.min(most, Math.max(0, Math.floor(Number(this.#countDraft.text)) || 0));
+    const shown = found?.extrema.slice(0, wanted) ?? [];
+    if (viewer.info) viewer.showPoints(shown.map(({ vertex }) => vertex));
+    this.#countLine.hidden = !found;
+    this.#words.textContent = found ? inAll(found.extrema) : '';
+    const words = ({ persistence }: Maximum): string =>
+      found?.rival === 'geoaverage'
+        ? formatLength(persistence, viewer.formatOf('geoaverage'))
+        : plainNumber(persistence, 3);
+    this.#list.show(
+      shown.map((maximum) => ({
+        main: `persistence ${words(maximum)}`,
+        detail: `${maximum.isMinimum ? 'minimum' : 'maximum'} at vertex ${maximum.vertex}`,
+        choose: () => viewer.flyTo({ vertex: maximum.vertex }),
+      })),
+    );
+    this.#list.element.setAttribute(
+      'aria-label',
+      found?.rival === 'geoaverage' ? `Extrema: ${fieldTitle('geoaverage')}` : 'Heat maxima',
+    );
+  }
+}
+
+const ofKind = (maxima: readonly Maximum[], isMinimum: boolean): Extremum[] =>
+  maxima.map((maximum) => ({ ...maximum, isMinimum }));
+
+function inAll(extrema: readonly Extremum[]): string {
+  const minima = extrema.filter(({ isMinimum }) => isMinimum).length;
+  const counts = [plural(extrema.length - minima, 'maximum', 'maxima')];
+  if (minima > 0) counts.push(plural(minima, 'minimum', 'minima'));
+  return `${counts.join(' and ')} in all, as diamonds on the surface.`;
+}

@@ -1,0 +1,246 @@
+// The tips of the shape: a list, the lines on the surface, and what noise may have made.
+
+import { type GirthViewer, formatLength, make } from '../../../src/element/index.js';
+import type { Tips } from '../../../src/kernel/index.js';
+import type { PageState } from '../../state/address-state.js';
+import { formatArea } from '../../widgets/area-words.js';
+import { Draft } from '../../widgets/draft.js';
+import { failureWords } from '../../widgets/failure-words.js';
+import { plural } from '../../model/model-words.js';
+import { Panel } from '../../widgets/panel.js';
+import { PlaceList } from '../../widgets/place-list.js';
+import { term } from '../../help/terms.js';
+import { TipRivals } from './tip-rivals.js';
+
+const steps = 200;
+
+/** What the panel needs of the page. */
+export interface TipsPage {
+  /** What is shown was changed by hand. */
+  changed(): void;
+  /** The tips are known. */
+  found(): void;
+  /** Colours the surface by thickness, beside the tips, or as before. */
+  colour(bySdf: boolean): void;
+}
+
+export class TipsPanel {
+  readonly panel = new Panel('tips-panel');
+  readonly #list = new PlaceList('Tips');
+  readonly #arcs = new PlaceList('Other lines');
+  readonly #arcsTitle = make('h3');
+  readonly #shown = make('input', { id: 'tips-shown', type: 'checkbox' });
+  readonly #jump = make('input', {
+    id: 'tips-jump',
+    type: 'range',
+    min: '0',
+    max: String(steps),
+    value: '0',
+  });
+  readonly #jumpDraft: Draft;
+  readonly #jumpText = make('output', { for: 'tips-jump' });
+  readonly #rivals: TipRivals;
+  readonly #words = make('p', { id: 'tips-words', class: 'hint', role: 'status' });
+  /** How far the girth rises at the tip that each vertex is in, 0 elsewhere. */
+  rises: Float64Array | undefined;
+  #tips: Tips | undefined;
+  #selected: number | undefined;
+  #pending: Pick<PageState, 'tip' | 'jump'> = {};
+  readonly #viewer: GirthViewer;
+  readonly #page: TipsPage;
+
+  constructor(viewer: GirthViewer, page: TipsPage) {
+    this.#viewer = viewer;
+    this.#page = page;
+    this.#shown.checked = true;
+    this.#rivals = new TipRivals(viewer, page);
+    this.panel.body.append(
+      make(
+        'p',
+        { class: 'hint' },
+        'A ',
+        term('tip', 'tip'),
+        ' is what a jump of the ',
+        term('girth', 'girth'),
+        ' cuts off.',
+      ),
+      make(
+        'div',
+        { class: 'results' },
+        this.#words,
+        this.#list.element,
+        this.#arcsTitle,
+        make('p', { class: 'hint' }, 'Here the girth jumps, but nothing is cut off.'),
+        this.#arcs.element,
+      ),
+      make('label', { class: 'check' }, this.#shown, ' Show them on the surface'),
+      make(
+        'div',
+        { class: 'slide' },
+        make('label', { for: 'tips-jump' }, 'Tips that rise by at least'),
+        this.#jumpText,
+        this.#jump,
+      ),
+      this.#rivals.element,
+    );
+    this.#shown.addEventListener('change', () => this.#draw());
+    this.#jumpDraft = new Draft(this.#jump, {
+      edited: () => {
+        this.#refresh();
+        this.#draw();
+      },
+      committed: () => page.changed(),
+    });
+    this.panel.onToggle((isOpen) => {
+      this.#draw();
+      if (isOpen) void this.compute();
+      else this.#rivals.clear(this.#tips?.tips.length ?? 0);
+      page.changed();
+    });
+    viewer.addEventListener('unit', () => this.#refresh());
+    this.clear();
+  }
+
+  /** Another model. */
+  clear(): void {
+    this.#tips = undefined;
+    this.rises = undefined;
+    this.#selected = undefined;
+    this.#pending = {};
+    this.#jumpDraft.discard();
+    this.#jumpDraft.show('0');
+    this.#rivals.clear(0);
+    this.#refresh();
+  }
+
+  read(): PageState {
+    if (!this.#tips) return this.#pending;
+    const state: PageState = {};
+    if (this.#selected !== undefined) state.tip = this.#selected + 1;
+    if (this.#leastJump > 0) state.jump = this.#leastJump;
+    return state;
+  }
+
+  apply({ tip, jump }: PageState): void {
+    this.#pending = {
+      ...(tip === undefined ? {} : { tip }),
+      ...(jump === undefined ? {} : { jump }),
+    };
+    if (this.#tips) this.#applyPending(true);
+    else if (this.panel.isOpen) void this.compute();
+  }
+
+  /** Finds the tips, once the girth is there. */
+  async compute(): Promise<void> {
+    const viewer = this.#viewer;
+    const { info } = viewer;
+    if (!info || this.#tips) return;
+    this.#words.textContent = 'Tips follow as soon as the girth is computed …';
+    try {
+      const tips = await viewer.tips();
+      if (viewer.info !== info) return;
+      this.#tips = tips;
+      this.rises = new Float64Array(info.vertexCount);
+      // The largest last: a vertex in several tips has the rise of the highest.
+      for (const { vertices, jump } of [...tips.tips].reverse()) {
+        for (const vertex of vertices) this.rises[vertex] = jump;
+      }
+      this.#applyPending(false);
+      this.#rivals.expect(tips.tips.length);
+      this.#page.found();
+    } catch (error) {
+      if (viewer.info !== info) return;
+      this.#words.textContent = `No tips: ${failureWords(error)}.`;
+    }
+  }
+
+  #applyPending(fly: boolean): void {
+    const { tip, jump = 0 } = this.#pending;
+    const { tips = [] } = this.#tips!;
+    this.#jumpDraft.show(String(this.#highest > 0 ? Math.ceil((steps * jump) / this.#highest) : 0));
+    this.#selected = tip !== undefined && tip >= 1 && tip <= tips.length ? tip - 1 : undefined;
+    this.#refresh();
+    this.#draw();
+    if (fly && this.#selected !== undefined) {
+      this.#viewer.flyTo({ vertices: tips[this.#selected]!.vertices });
+    }
+  }
+
+  get #highest(): number {
+    return Math.max(
+      0,
+      ...[...(this.#tips?.tips ?? []), ...(this.#tips?.arcs ?? [])].map(({ jump }) => jump),
+    );
+  }
+
+  get #leastJump(): number {
+    // In this order, so that the end of the slider is the highest jump to the last bit.
+    return this.#highest * (Number(this.#jumpDraft.text) / steps);
+  }
+
+  #choose(number: number): void {
+    const tip = this.#tips!.tips[number]!;
+    this.#selected = number;
+    this.#draw();
+    this.#viewer.flyTo({ vertices: tip.vertices });
+    this.#page.changed();
+  }
+
+  #refresh(): void {
+    const [made, viewer] = [this.#tips, this.#viewer];
+    const { panel } = this;
+    const format = viewer.lengthFormat;
+    const leastJump = this.#leastJump;
+    const tips = (made?.tips ?? []).map((tip, number) => ({ tip, number }));
+    const kept = tips.filter(({ tip }) => tip.jump >= leastJump);
+    const arcs = (made?.arcs ?? []).filter(({ jump }) => jump >= leastJump);
+    const hidden = tips.length - kept.length;
+    panel.summary = made ? String(kept.length) : '';
+    this.#jump.disabled = !made || this.#highest === 0;
+    this.#jumpText.textContent = made ? formatLength(leastJump, format) : '';
+    this.#jump.setAttribute('aria-valuetext', this.#jumpText.textContent);
+    this.#list.show(
+      kept.map(({ tip, number }) => ({
+        lead: String(number + 1),
+        main: `rises by ${formatLength(tip.jump, format)}`,
+        detail: `length ${formatLength(tip.apexDistance, format)} · area ${formatArea(tip.area, format)}`,
+        choose: () => this.#choose(number),
+      })),
+    );
+    const chosen = kept.findIndex(({ number }) => number === this.#selected);
+    this.#list.select(chosen < 0 ? undefined : chosen);
+    this.#arcsTitle.textContent =
+      arcs.length === 1 ? 'One line cuts no tip off' : `${arcs.length} lines cut no tip off`;
+    const openPart = [this.#arcsTitle, this.#arcsTitle.nextElementSibling as HTMLElement];
+    for (const part of openPart) part.hidden = arcs.length === 0;
+    this.#arcs.show(
+      arcs.map(({ line, length, jump }) => ({
+        main: `rises by ${formatLength(jump, format)}`,
+        detail: `${line.closed ? 'closed' : 'open'} line · ${length > 0 ? `length ${formatLength(length, format)}` : 'across one edge'}`,
+        choose: () => viewer.flyTo({ polyline: line.polyline }),
+      })),
+    );
+    if (!made) {
+      this.#words.textContent = '';
+      return;
+    }
+    const words =
+      tips.length === 0 ? 'The girth jumps nowhere so that a part is cut off: no tips.' : '';
+    this.#words.textContent =
+      hidden > 0
+        ? `${plural(hidden, 'tip rises', 'tips rise')} by less and ${hidden === 1 ? 'is' : 'are'} hidden.`
+        : words;
+  }
+
+  /** Lines and tints on the surface, while the panel is open. */
+  #draw(): void {
+    const [tips, viewer, selected] = [this.#tips, this.#viewer, this.#selected];
+    if (!tips) return;
+    const shown = this.panel.isOpen && this.#shown.checked;
+    void viewer.showTips({
+      shown,
+      leastJump: this.#leastJump,
+      ...(selected === undefined ? {} : { selected }),
+    });
+  }
+}

@@ -1,0 +1,9 @@
+// By which method a girth was computed, as its field has it in words.
+
+import type { Field } from '../../kernel/types/types.js';
+import type { GirthMethod } from '../attributes/attribute-types.js';
+
+export function methodOf({ method }: Field): GirthMethod {
+  if (method === 'refined') return 'refined';
+  return method.startsWith('exact on ') ? 'coarse' : 'exact';
+}
