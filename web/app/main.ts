@@ -1,20 +1,21 @@
 // The drop page: one screen built on <girth-viewer>.
 
-import type { FileWithPath } from '../src/kernel/index.js';
+import type { FileWithPath, PrepareOptions } from '../src/kernel/index.js';
 import { type GirthViewer, fieldTitle, sentence } from '../src/element/index.js';
 import {
   type PageState,
   type PanelName,
-  besideOf,
   panelNames,
   preparationOf,
   resized,
 } from './state/address-state.js';
+import { without } from './state/actions.js';
 import { Address } from './state/address.js';
-import type { Beside } from './model/beside.js';
+import { Store } from './state/store.js';
+import { followAttributes, followCamera } from './state/attributes.js';
 import { ComparePanel } from './panels/compare/compare-panel.js';
 import { ComputedFields } from './model/computed-fields.js';
-import { byId, nextTask, once, setAttribute } from './widgets/dom.js';
+import { byId, nextTask, once } from './widgets/dom.js';
 import { type Files, acceptDrops } from './model/drop.js';
 import { type Example, ExamplesStrip } from './model/examples-strip.js';
 import { offerExports } from './export/export-menu.js';
@@ -31,7 +32,6 @@ import { ModelDetails } from './model/model-details.js';
 import { offerInstalling, workOffline } from './offline.js';
 import type { PagePlot } from './export/page-plot.js';
 import type { Panel } from './widgets/panel.js';
-import type { OpenedProject } from './model/project.js';
 import { PartsPanel } from './panels/parts/parts-panel.js';
 import { PinnedList } from './panels/loops/pinned-list.js';
 import { PrintPanel } from './panels/print/print-panel.js';
@@ -44,45 +44,32 @@ import type { ModelScale } from './model/size-choice.js';
 import { explainTerms } from './help/terms.js';
 import { offerTheme } from './theme.js';
 import { TipsPanel } from './panels/tips/tips-panel.js';
-import { Tour } from './help/tour.js';
 import { offerUndo } from './state/undo-buttons.js';
 
 const viewer = byId<GirthViewer>('viewer');
 const invitation = byId('invitation');
 const projectFault = byId('project-fault');
+const store = new Store();
 const session = new Session(viewer);
 const computed = new ComputedFields(viewer);
-/** Whether all of the page is there: before, nothing is shown whose address could change. */
-let isBuilt = false;
-const changed = (): void => {
-  if (isBuilt) address.changed();
-};
-
-// Until somebody does something the page shows by itself what it is about.
-let isUntouched = true;
-viewer.addEventListener('touch', () => (isUntouched = false));
+followAttributes(viewer, store);
+showUntilTouched(viewer);
 
 // What takes long is done in several tasks, between which the page answers.
 await nextTask();
-const field = new FieldPanel(viewer, computed, {
-  changed,
+const field = new FieldPanel(viewer, computed, store, {
   partKinds: () => parts.kinds,
   tipRises: () => tips.rises,
 });
-const loops = new PinnedList(viewer, changed);
-const tips = new TipsPanel(viewer, {
-  changed,
+const loops = new PinnedList(viewer, store);
+const tips = new TipsPanel(viewer, store, {
   found: () => field.refresh(),
   colour: (bySdf) => field.colourForPanel('sdf', bySdf),
 });
 await nextTask();
-const limbs = new LimbsPanel(viewer, changed);
-const necks = new NecksPanel(viewer, {
-  changed,
-  removeHandles: (length) => session.removeHandles(length),
-});
-const parts = new PartsPanel(viewer, {
-  changed,
+const limbs = new LimbsPanel(viewer, store);
+const necks = new NecksPanel(viewer, store, (length) => session.removeHandles(length));
+const parts = new PartsPanel(viewer, store, {
   found: () => field.refresh(),
   colour: (wanted) => field.colourForPanel('parts', wanted),
 });
@@ -93,13 +80,13 @@ const size: ModelScale = {
   rescale: (scale) => {
     if (!session.opened) return;
     // What is shown of it is the same in the other size.
-    wanted = { ...resized(read(), scale / session.scale), scale };
-    isByHand = true;
-    const weldDistance = wanted.weld;
-    session.reopen({ scale, ...(weldDistance === undefined ? {} : { weldDistance }) });
+    const { shown } = store;
+    const wished = { ...resized(shown, scale / session.scale), scale };
+    const { weld } = wished;
+    void reopen(wished, { scale, ...(weld === undefined ? {} : { weldDistance: weld }) });
   },
 };
-const print = new PrintPanel(viewer, size, changed, () => explain());
+const print = new PrintPanel(viewer, store, size, () => explain());
 const compare = new ComparePanel({
   present: () => session.opened && { opened: session.opened, name: viewer.info?.name ?? '' },
   gallery: () =>
@@ -111,7 +98,6 @@ const compare = new ComparePanel({
   },
   show: (opened) => void session.open(opened),
   showBeside: (opened) => void beside().then((one) => one.open(opened)),
-  changed,
 });
 const panels: Record<PanelName, Panel> = {
   loops: loops.panel,
@@ -123,140 +109,105 @@ const panels: Record<PanelName, Panel> = {
   compare: compare.panel,
 };
 
+const openPanel = (): PanelName | undefined => {
+  const open = panelNames.find((name) => panels[name].isOpen);
+  return open === 'loops' ? undefined : open;
+};
+for (const panel of Object.values(panels)) {
+  panel.onToggle(() => store.choose({ panel: openPanel() }));
+}
+store.watch(['panel'], ({ panel }) => {
+  if (panel !== openPanel()) panels[panel ?? 'loops'].open();
+});
+
 await nextTask();
 
-/** What is shown beside the model, once that was asked for. */
-let second: Beside | undefined;
-/** Until it is there, what a link asks for. */
-let besideWish: PageState = {};
+/** What is shown beside the model, once that is asked for. */
 const beside = once(async () => {
   const { Beside } = await import('./model/beside.js');
-  return (second = new Beside(viewer, {
+  return new Beside(viewer, store, {
     gallery: () =>
       examples.all.map((example) => ({ opened: exampleToOpen(example), title: example.title })),
     openedBefore: (file) => session.openedBefore(file),
-    changed,
-  }));
+  });
 });
 byId('beside-menu').addEventListener('beforetoggle', () => void beside());
+followCamera(viewer, store);
+// After the panel that cuts along them.
+store.watch(['loops', 'names'], (state) => loops.follow(state));
+let wasBeside = false;
+store.watch(['beside', 'besideFile', 'apart', 'oneScale'], (state) => {
+  wasBeside ||= (state.beside ?? state.besideFile) !== undefined;
+  if (wasBeside) void beside().then((one) => one.apply(store.shown));
+});
 
 // ---- what is shown, and the address that holds it
 
-/** What a link asks for, until the model that it is about is there. */
-let wanted: PageState | undefined;
+/** With the lengths of loops, for readers who do not have the file. */
+const written = (state: PageState): PageState =>
+  viewer.info && state.file !== undefined && state.loops
+    ? { ...state, values: loops.values }
+    : state;
 
-function read(): PageState {
-  // As long as the model of a link is missing, the link is all there is.
-  if (wanted && !viewer.info) return wanted;
-  const state: PageState = {
-    ...session.read(),
-    ...field.read(),
-    ...tips.read(),
-    ...parts.read(),
-    ...print.read(),
-    ...limbs.read(),
-    ...necks.read(),
-    ...loops.read(),
-    ...(second?.read() ?? besideWish),
-  };
-  if (!viewer.info?.unit && viewer.unit) state.unit = viewer.unit;
-  if (state.file !== undefined && state.loops) state.values = loops.values;
-  if (viewer.shownUnit) state.shown = viewer.shownUnit;
-  const { camera } = viewer;
-  // The first view of a model needs no words, nor does one that passes by.
-  if (camera && !viewer.isAtHome && !viewer.isTurning) state.camera = camera;
-  const up = viewer.getAttribute('up');
-  if (up) state.up = up;
-  for (const name of ['shading', 'section'] as const) {
-    const text = viewer.getAttribute(name);
-    if (text) state[name] = text;
-  }
-  const open = panelNames.find((name) => panels[name].isOpen);
-  if (open && open !== 'loops') state.panel = open;
-  return state;
+/** The surface has come: it is shown as it was wished for, or as the one before. */
+function arrive(wish?: number, isAnother = false): void {
+  const surface = viewer.info!;
+  const { vertexCount, faceCount, unit } = surface;
+  const facts = { surface, vertexCount, faceCount, unit, given: viewer.given };
+  store.arrive(session.read(), facts, wish, isAnother);
 }
 
-/** Whether what is wanted was asked for by hand: then the address does not have it yet. */
-let isByHand = false;
-
-/** Brings about what a link asks for, on the model that is shown; `known`: loops that need not be computed are pinned then. */
-function apply(state: PageState, known: Promise<unknown> = Promise.resolve()): void {
-  if (!viewer.info?.unit && state.unit) viewer.setAttribute('unit', state.unit);
-  if (state.shown) viewer.setAttribute('shown-unit', state.shown);
-  for (const name of ['up', 'shading', 'section'] as const) setAttribute(viewer, name, state[name]);
-  field.apply(state);
-  tips.apply(state);
-  parts.apply(state);
-  print.apply(state);
-  limbs.apply(state);
-  necks.apply(state);
-  panels[state.panel ?? 'loops'].open();
-  if (state.camera) viewer.camera = state.camera;
-  besideWish = besideOf(state);
-  if (second ?? state.beside ?? state.besideFile) {
-    void address.during(beside().then((one) => one.apply(besideOf(state))));
-  }
-  if (!isByHand) address.settle();
-  isByHand = false;
-  void address.during(known.then(() => loops.apply(state)));
+/** The same model, prepared otherwise, with a state that is wished for then. */
+async function reopen(state: PageState, change: PrepareOptions): Promise<void> {
+  const wish = store.ask(state, { byHand: true });
+  if (!(await session.reopen(change, wish))) store.fail(wish);
 }
 
-/** Opens the model that a link names, or the first example, and then applies the rest. */
-async function go(state: PageState, asked = session.ask()): Promise<void> {
+/** Opens the model that a link names, or the first example, and then shows the rest. */
+async function follow(link: PageState, asked = session.ask()): Promise<void> {
+  const isFile = link.file !== undefined && link.model === undefined;
+  const isAddress = link.model?.includes(':') ?? false;
+  const example = examples.all.find(({ name }) => name === link.model) ?? examples.all[0];
+  const model = isFile || isAddress ? link.model : example?.name;
+  const state = model === undefined ? link : { ...link, model };
+  const before = isFile ? session.openedBefore(link.file!) : undefined;
+  const opened = before ?? (isFile || !model ? undefined : { source: model, link: { model } });
+  const wish = store.ask(state, { isMissing: isFile && !before });
+  const isWithHandles = { ...state, handles: undefined };
   if (viewer.info && session.isOf(state)) {
-    apply(state);
-    return;
-  }
-  if (viewer.info && session.isBefore(state)) {
-    wanted = state;
-    await session.restore();
-    return;
-  }
-  if (
-    viewer.info &&
-    state.handles !== undefined &&
-    session.isOf({ ...state, handles: undefined })
-  ) {
-    await repair(state);
-    return;
-  }
-  const example = examples.all.find(({ name }) => name === state.model) ?? examples.all[0];
-  const isAddress = state.model?.includes(':') ?? false;
-  if (state.file !== undefined && state.model === undefined) {
-    wanted = state;
-    const before = session.openedBefore(state.file);
-    if (before) {
-      await session.open({ ...before, prepare: preparationOf(state) }, asked);
-      return;
-    }
+    arrive(wish);
+  } else if (viewer.info && session.isBefore(state)) {
+    if (!(await session.restore(wish))) store.fail(wish);
+  } else if (viewer.info && state.handles !== undefined && session.isOf(isWithHandles)) {
+    await repair(state.handles, wish);
+  } else if (opened) {
+    const prepare = preparationOf(state);
+    const isOpen =
+      isAddress || before
+        ? await session.open({ ...opened, prepare, wish }, asked)
+        : await openExample(example!, { prepare, wish }, asked);
+    if (!isOpen) store.fail(wish);
+  } else if (isFile) {
     // A link cannot have a file in it: wait for it.
     invitation.hidden = true;
     missing.show(state, !viewer.info);
-    return;
   }
-  wanted = state;
-  const prepare = preparationOf(state);
-  if (isAddress) {
-    const link = { model: state.model! };
-    await session.open({ source: state.model!, link, prepare }, asked);
-  } else if (example) await openExample(example, prepare, asked);
 }
 
-/** Takes the handles away that a link's surface has not, and then applies the rest. */
-async function repair(state: PageState): Promise<void> {
-  wanted = state;
-  const removal = await session.removeHandles(state.handles!);
+/** Takes the handles away that a link's surface has not, and then shows the rest. */
+async function repair(length: number, wish: number): Promise<void> {
+  const { opened } = session;
+  const removal = await session.removeHandles(length, wish);
   // Where something was taken away, the surface that is left has come as another model does.
   if (removal && removal.removed.length > 0) return;
-  wanted = undefined;
-  apply(state);
+  if (session.opened === opened) arrive(wish);
 }
 
-const address: Address = new Address(
-  read,
-  (state) => void address.during(go(state)),
-  () => showUndo(),
-);
+const address: Address = new Address(store, {
+  written,
+  followed: (state) => void follow(state),
+  stepped: () => showUndo(),
+});
 const showUndo = offerUndo(address);
 
 // ---- opening models
@@ -264,17 +215,10 @@ const showUndo = offerUndo(address);
 const details = new ModelDetails(viewer, {
   choose: (model) => session.choose(model),
   size,
-  prepare: (change) => session.reopen(change),
+  prepare: (change) => void session.reopen(change),
   remesh: (faces) => {
-    if (session.canRemesh) {
-      void session.remesh(faces);
-      return;
-    }
-    const { handles, ...rest } = read();
-    void handles;
-    wanted = { ...rest, faces };
-    isByHand = true;
-    session.reopen({});
+    if (session.canRemesh) void session.remesh(faces);
+    else void reopen({ ...without(store.shown, ['handles']), faces }, {});
   },
   back: () => session.back(),
 });
@@ -283,18 +227,22 @@ const missing = new MissingModel(() => byId<HTMLInputElement>('file').click());
 
 const examples = new ExamplesStrip(byId('examples'), (example) => {
   address.flush();
-  wanted = undefined;
+  store.giveUp();
   void openExample(example);
 });
 
-function exampleToOpen(example: Example, prepare = {}): Opened {
-  return { source: examples.addressOf(example), link: { model: example.name }, prepare };
+function exampleToOpen(example: Example): Opened {
+  return { source: examples.addressOf(example), link: { model: example.name }, prepare: {} };
 }
 
-async function openExample(example: Example, prepare = {}, asked = session.ask()): Promise<void> {
+async function openExample(
+  example: Example,
+  as: Partial<Opened> = {},
+  asked = session.ask(),
+): Promise<boolean> {
   projectFault.hidden = true;
   examples.mark(example);
-  await session.open(exampleToOpen(example, prepare), asked);
+  return session.open({ ...exampleToOpen(example), ...as }, asked);
 }
 
 /** Opens files, or those that are found in a folder or on the disk, if there are any. What was asked for later stays. */
@@ -308,17 +256,25 @@ async function openFiles(found: Files | Promise<Files>): Promise<void> {
   if (names.length === 1 && /\.zip$/i.test(names[0]!) && (await openProject(files[0]!, asked)))
     return;
   const source = files.length === 1 && files[0] instanceof File ? files[0] : files;
-  if (!names.some((name) => name === wanted?.file)) wanted = undefined;
-  const file = wanted?.file ?? names[0]!;
-  const prepare = preparationOf(wanted ?? {});
-  if (!(await session.open({ source, link: { file }, prepare }, asked))) return;
+  const wished = store.wish?.state ?? {};
+  const isWished = names.some((name) => name === wished.file);
+  const wish = isWished ? store.ask(wished) : undefined;
+  if (!isWished) store.giveUp();
+  const file = isWished ? wished.file! : names[0]!;
+  const prepare = isWished ? preparationOf(wished) : {};
+  if (!(await session.open({ source, link: { file }, prepare, wish }, asked))) {
+    // The file may be dropped again.
+    if (wish !== undefined && store.wish?.number === wish) store.ask(wished, { isMissing: true });
+    return;
+  }
   recent.opened(files);
   invitation.hidden = true;
   viewer.removeAttribute('turn');
   const { models, unreadable } = viewer.info!;
   if (models.length > 1) {
-    session.name(models.find((path) => !unreadable.some(({ model }) => model === path))!);
-    changed();
+    const named = models.find((path) => !unreadable.some(({ model }) => model === path))!;
+    session.name(named);
+    store.choose({ file: named });
     compare.add(
       models.map((model) => ({
         opened: { source, link: { file: model }, model, prepare: {} },
@@ -329,10 +285,6 @@ async function openFiles(found: Files | Promise<Files>): Promise<void> {
   }
 }
 
-/** Attributes that are about one model. */
-const aboutModel = ['unit', 'shown-unit', 'up', 'section'];
-/** The project that is being opened: what was computed is taken when its surface is there. */
-let project: OpenedProject | undefined;
 const projects = once(() => import('./model/project.js'));
 
 function showProjectFault(error: unknown): void {
@@ -348,17 +300,12 @@ async function openProject(file: File | FileWithPath, asked: number): Promise<bo
   });
   if (session.isOvertaken(asked)) return true;
   if (!read) return false;
-  const { name, source, model, state } = read;
-  project = read;
-  wanted = state;
-  isByHand = true;
+  const { name, source, model, state, adopt } = read;
+  const wish = store.ask(state, { byHand: true });
   const prepare = preparationOf(state);
-  if (!(await session.open({ source, link: { file: name }, model, prepare }, asked))) {
-    // Nothing is left of it for what is opened next.
-    if (project === read) {
-      project = wanted = undefined;
-      isByHand = false;
-    }
+  const opened = { source, link: { file: name }, model, prepare, wish, adopt };
+  if (!(await session.open(opened, asked))) {
+    store.fail(wish);
     return true;
   }
   recent.opened([file]);
@@ -374,8 +321,8 @@ viewer.addEventListener('load', (event) => {
   if (isAnother) recent.left();
   missing.hide();
   byId('beside-open').hidden = false;
-  if (isAnother) for (const name of aboutModel) viewer.removeAttribute(name);
-  const { prepare = {}, remeshed, handles, link } = session.opened ?? {};
+  const { opened } = session;
+  const { prepare = {}, remeshed, handles, link, wish } = opened ?? {};
   examples.mark(examples.all.find(({ name }) => name === link?.model));
   const { removal } = viewer;
   const made = [
@@ -387,47 +334,30 @@ viewer.addEventListener('load', (event) => {
   print.clear(isAnother);
   document.title = `${info.name} – Girth`;
   delete document.documentElement.dataset['field'];
-  if (wanted?.faces !== undefined && remeshed?.faces !== wanted.faces) {
-    void address.during(session.remesh(wanted.faces));
-    return;
+  const wished = store.wish?.number === wish ? store.wish?.state : undefined;
+  if (wished?.faces !== undefined && remeshed?.faces !== wished.faces) {
+    void session.remesh(wished.faces).then((isDone) => {
+      if (!isDone && session.opened === opened) arrive(wish, isAnother);
+    });
+  } else if (wished?.handles !== undefined && handles === undefined) {
+    void repair(wished.handles, wish!);
+  } else {
+    loops.adopting(session.adopt().catch(showProjectFault));
+    arrive(wish, isAnother);
   }
-  const isWanted = wanted && (wanted.model !== undefined || link?.file === wanted.file);
-  if (wanted?.handles !== undefined && isWanted && handles === undefined) {
-    void address.during(repair(wanted));
-    return;
-  }
-  // A file's link is for the file, not for the example that is there meanwhile.
-  const known = link?.file === project?.name ? project?.adopt(viewer) : undefined;
-  project = undefined;
-  if (wanted && isWanted) {
-    const state = wanted;
-    wanted = undefined;
-    apply(state, known?.catch(showProjectFault));
-  } else changed();
 });
-/** Persistence and method of the girth that panels have searched by. */
-let searchedWith = '';
 viewer.addEventListener('field', (event) => {
   const { name, share } = event.detail;
   if (name !== 'igf') return;
   document.documentElement.dataset['field'] = share === 1 ? 'complete' : 'partial';
   if (share < 1) return;
-  const girth = ['persistence', 'method'].map((name) => viewer.getAttribute(name)).join();
-  // What was found by another girth is out of date.
-  if (girth !== searchedWith) {
-    limbs.forget();
-    necks.forget();
-  }
-  searchedWith = girth;
   void recent.draw();
   void details.compare();
   void tips.compute();
   limbs.girthIsThere();
   necks.girthIsThere();
-  if (isUntouched) void showUntilTouched(viewer);
 });
 const explain = explainColours(viewer, () => print.isColouring);
-for (const event of ['camera', 'unit', 'view']) viewer.addEventListener(event, changed);
 
 /** What the page opens by itself comes before all that somebody asks for. */
 const atFirst = session.ask();
@@ -437,7 +367,7 @@ acceptLaunches((files) => void openFiles(files));
 const plots = (): PagePlot[] =>
   [field, limbs, necks, parts, compare].flatMap((panel) => panel.plots);
 offerExports(viewer, computed, { parts, loops, limbs, necks }, plots, async () =>
-  (await projects()).projectOf(viewer, session.opened!, read(), computed),
+  (await projects()).projectOf(viewer, session.opened!, store.shown, computed),
 );
 offerSharing(shared);
 
@@ -482,16 +412,19 @@ const takeChosen = [choosesFiles('open', 'file'), choosesFiles('open-folder', 'f
 
 const explanation = byId<HTMLDialogElement>('explanation');
 byId('help').addEventListener('click', () => explanation.showModal());
-const tour = new Tour(viewer, {
-  begin: async () => {
-    const octopus = examples.all.find(({ name }) => name === 'octopus');
-    if (octopus && session.opened?.link.model !== octopus.name) await openExample(octopus);
-  },
-  open: (name) => panels[name].open(),
+const tour = once(async () => {
+  const { Tour } = await import('./help/tour.js');
+  return new Tour(viewer, {
+    begin: async () => {
+      const octopus = examples.all.find(({ name }) => name === 'octopus');
+      if (octopus && session.opened?.link.model !== octopus.name) await openExample(octopus);
+    },
+    open: (name) => panels[name].open(),
+  });
 });
 byId('tour').addEventListener('click', () => {
   explanation.close();
-  void tour.start();
+  void tour().then((one) => one.start());
 });
 byId('folder').addEventListener('change', () => explanation.close());
 explanation.addEventListener('click', (event) => {
@@ -522,11 +455,10 @@ viewer.addEventListener('field', ({ detail }) => {
 setTimeout(() => void worksOffline(), 15_000);
 // Files that are dropped before the examples are there are not lost to them.
 const first = address.state;
-if (first.file !== undefined && first.model === undefined) wanted = first;
+store.ask(first, { isMissing: first.file !== undefined && first.model === undefined });
 pressControls();
 forwardKeys(viewer);
-isBuilt = true;
 // What was chosen before anybody listened.
 for (const take of takeChosen) take();
 await examples.prepare();
-if (!session.isOvertaken(atFirst)) void address.during(go(first, atFirst));
+if (!session.isOvertaken(atFirst)) void follow(first, atFirst);

@@ -3,6 +3,7 @@
 import {
   type ColormapName,
   type GirthViewer,
+  type GirthViewerEvents,
   type ShownName,
   combinationOf,
   fieldTitle,
@@ -50,10 +51,21 @@ export function explainColours(viewer: GirthViewer, isPrint: () => boolean): () 
 }
 
 /**
- * Shows a loop until something is done on the page: it slides along the surface and back, or rests where
- * the system asks for less motion.
+ * Until the surface is touched, shows a loop when the girth is there: it slides along the surface and back, or rests
+ * where the system asks for less motion.
  */
-export async function showUntilTouched(viewer: GirthViewer): Promise<void> {
+export function showUntilTouched(viewer: GirthViewer): void {
+  const touched = new AbortController();
+  const { signal } = touched;
+  viewer.addEventListener('touch', () => touched.abort(), { signal });
+  const show = ({ detail: { name, share } }: GirthViewerEvents['field']): void => {
+    if (name === 'igf' && share === 1) void showLoop(viewer);
+  };
+  viewer.addEventListener('field', show, { signal });
+}
+
+/** Shows the loop until something is done on the page. */
+async function showLoop(viewer: GirthViewer): Promise<void> {
   if ((viewer.info?.vertexCount ?? 0) > mostVertices) return;
   const ending = new AbortController();
   const { signal } = ending;

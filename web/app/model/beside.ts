@@ -6,6 +6,7 @@ import { type PageState, besideOf } from '../state/address-state.js';
 import { announce } from '../widgets/announcer.js';
 import { byId, setAttribute } from '../widgets/dom.js';
 import { modelFacts } from './model-words.js';
+import type { Store } from '../state/store.js';
 import type { Opened } from './session.js';
 
 /** The name of what the two have in common. */
@@ -22,7 +23,6 @@ export interface BesidePage {
   gallery(): { opened: Opened; title: string }[];
   /** A file that was opened before on this visit, by its name. */
   openedBefore(file: string): Opened | undefined;
-  changed(): void;
 }
 
 /** A switch with its words; a phone has room for the first ones. */
@@ -34,6 +34,7 @@ function toggle(first: string, rest: string, changed: () => void): [HTMLElement,
 
 export class Beside {
   readonly #viewer: GirthViewer;
+  readonly #store: Store;
   readonly #page: BesidePage;
   readonly #main = document.querySelector('main')!;
   readonly #opener = byId('beside-open');
@@ -54,12 +55,13 @@ export class Beside {
   /** Files that were shown beside on this visit, by their names. */
   readonly #files = new Map<string, Opened>();
 
-  constructor(viewer: GirthViewer, page: BesidePage) {
+  constructor(viewer: GirthViewer, store: Store, page: BesidePage) {
     this.#viewer = viewer;
+    this.#store = store;
     this.#page = page;
     const changed = (): void => {
       this.#join();
-      page.changed();
+      this.#keep();
     };
     const [linked, linkedInput] = toggle('Linked', 'views', changed);
     const [oneScale, oneScaleInput] = toggle('One scale', 'for both', changed);
@@ -87,7 +89,7 @@ export class Beside {
     this.#missing.hidden = true;
     const { source, model, prepare, link } = opened;
     if (link.file !== undefined) this.#files.set(link.file, opened);
-    this.#page.changed();
+    this.#keep();
     await second
       .load(source, model === undefined ? { prepare } : { prepare, model })
       .then(({ name }) => announce(`${name} is beside it.`))
@@ -103,10 +105,16 @@ export class Beside {
     this.#pane = this.#second = this.#opened = this.#wish = undefined;
     this.#main.classList.remove('paired');
     for (const name of ['linked', 'one-scale']) this.#viewer.removeAttribute(name);
-    this.#page.changed();
+    this.#keep();
   }
 
-  read(): PageState {
+  /** What is shown beside is in the state. */
+  #keep(): void {
+    const none = { beside: undefined, besideFile: undefined, apart: false, oneScale: false };
+    this.#store.choose({ ...none, ...this.#read() });
+  }
+
+  #read(): PageState {
     if (!this.#pane) return {};
     const { model, file } = this.#opened?.link ?? { file: this.#wish };
     return besideOf({
@@ -123,13 +131,14 @@ export class Beside {
       this.close();
       return;
     }
-    const now = this.read();
+    const now = this.#read();
     const isThere = now.beside === beside && now.besideFile === besideFile;
     const wanted = this.#wanted(state);
     const opening = isThere || !wanted ? undefined : this.open(wanted);
     // A link cannot have a file in it: that waits for it.
     if (!wanted && besideFile !== undefined) this.#miss(besideFile);
     this.#choose(state);
+    this.#keep();
     await opening;
   }
 

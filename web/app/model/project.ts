@@ -32,7 +32,7 @@ export interface OpenedProject extends Pick<SavedProject, 'name' | 'model' | 'st
    * Hands what was computed to the surface that is shown, if it is that one: fields at once, loops when they are pinned.
    * Errors: MALFORMED_FILE, LIMIT_EXCEEDED.
    */
-  adopt(viewer: GirthViewer): Promise<void>;
+  adopt: (viewer: GirthViewer) => Promise<void>;
 }
 
 /** The project in a zip; undefined where there is none, and where the zip cannot be read. Errors: as of `readProject`. */

@@ -2,6 +2,7 @@
 
 import type { HandleRemoval, MeshSource, PrepareOptions } from '../../src/kernel/index.js';
 import { type GirthViewer, formatCount } from '../../src/element/index.js';
+import { isOfSurface } from '../state/actions.js';
 import type { PageState } from '../state/address-state.js';
 
 /** A model that can be read again, to be prepared otherwise. */
@@ -18,10 +19,17 @@ export interface Opened {
   handles?: number | undefined;
   /** And before they were taken away last, those shorter than this had been. */
   handlesBefore?: number | undefined;
+  /** The wish that it is opened for (`Store.ask`). */
+  wish?: number | undefined;
+  /** Hands what was computed of it before to the surface that is shown, if it is that one; once. */
+  adopt?: ((viewer: GirthViewer) => Promise<void>) | undefined;
 }
 
 /** As it is read. */
-const asRead = { remeshed: undefined, handles: undefined, handlesBefore: undefined };
+const asRead = {
+  ...{ remeshed: undefined, handles: undefined, handlesBefore: undefined },
+  ...{ wish: undefined, adopt: undefined },
+};
 
 /** Whether two are the same surface: read from the same, and prepared in the same way. */
 export function isSameModel(one: Opened, other: Opened): boolean {
@@ -95,11 +103,12 @@ export class Session {
   }
 
   /** Shows it without its short handles; undefined where that came to nothing. */
-  async removeHandles(length: number): Promise<HandleRemoval | undefined> {
+  async removeHandles(length: number, wish?: number): Promise<HandleRemoval | undefined> {
     const { opened } = this;
     if (!opened) return undefined;
     const { handles: before } = opened;
-    const next = { ...opened, handles: Math.max(length, before ?? 0), handlesBefore: before };
+    const handles = Math.max(length, before ?? 0);
+    const next = { ...opened, handles, handlesBefore: before, wish };
     this.#next = next;
     const removal = await this.#viewer.removeHandles(length).catch(() => undefined);
     if (this.opened !== next && this.#next === next) this.#next = opened;
@@ -114,22 +123,22 @@ export class Session {
   }
 
   /** Shows the surface with its handles again. */
-  async restore(): Promise<boolean> {
+  async restore(wish: number): Promise<boolean> {
     const { opened } = this;
     if (!opened) return false;
-    this.#next = { ...opened, handles: opened.handlesBefore, handlesBefore: undefined };
+    this.#next = { ...opened, handles: opened.handlesBefore, handlesBefore: undefined, wish };
     return this.#viewer.restore().then(
       () => true,
       () => false,
     );
   }
 
-  /** The same model, prepared otherwise. */
-  reopen(change: PrepareOptions): void {
+  /** The same model, prepared otherwise; false where that came to nothing. */
+  async reopen(change: PrepareOptions, wish?: number): Promise<boolean> {
     const { opened } = this;
-    if (!opened) return;
+    if (!opened) return false;
     const prepare = { ...opened.prepare, ...change };
-    void this.open({ ...opened, ...asRead, prepare });
+    return this.open({ ...opened, ...asRead, prepare, wish });
   }
 
   /** The file of that name, where it was opened before on this visit: no link can have it. */
@@ -169,6 +178,15 @@ export class Session {
     return opened?.source !== next?.source || opened?.model !== next?.model;
   }
 
+  /** Hands what came with the model to the surface that is shown. */
+  async adopt(): Promise<void> {
+    const { opened } = this;
+    const adopt = opened?.adopt;
+    if (!opened || !adopt) return;
+    this.opened = { ...opened, adopt: undefined };
+    await adopt(this.#viewer);
+  }
+
   read(): PageState {
     const { opened } = this;
     if (!opened) return {};
@@ -185,17 +203,6 @@ export class Session {
 
   /** Whether what is shown is what a link names, prepared in the same way. */
   isOf(state: PageState): boolean {
-    const keys = [
-      'model',
-      'file',
-      'closed',
-      'weld',
-      'components',
-      'scale',
-      'faces',
-      'handles',
-    ] as const;
-    const now = this.read();
-    return keys.every((key) => JSON.stringify(now[key]) === JSON.stringify(state[key]));
+    return isOfSurface(this.read(), state);
   }
 }

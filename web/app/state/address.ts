@@ -1,6 +1,7 @@
 // The page's address holds what is shown, so that a link reproduces it and 'back' goes back to it.
 
 import { type PageState, readState, writeState } from './address-state.js';
+import type { Store } from './store.js';
 import { UndoSteps } from './undo-steps.js';
 
 /** Milliseconds after a change until it is in the address: many changes come together. */
@@ -16,28 +17,39 @@ function withoutMoves({ camera, range, panel, values, ...rest }: PageState): Pag
 const addressOf = (text: string): string =>
   text === '' ? location.pathname + location.search : `#${text}`;
 
+export interface AddressEvents {
+  /** A state with what its link says besides. */
+  written(state: PageState): PageState;
+  /** A link, or a step of undo, asks for a state. */
+  followed(state: PageState): void;
+  /** Whether there is something to undo or to redo may be another now. */
+  stepped(): void;
+}
+
 export class Address {
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** How many tasks are still applying what the address holds. */
-  #holders = 0;
-  /** What needs no writing: the state as it came about by itself, or was written last. */
-  #known = '';
+  /** The state as it was written last, or came about by itself. */
+  #known: string;
+  /** The same with what a link says besides. */
+  #bar: string;
+  #settled = 0;
   /** A step is being undone or redone: what comes about is that step. */
   #isRestoring = false;
   readonly #steps: UndoSteps;
-  readonly #read: () => PageState;
-  readonly #apply: (state: PageState) => void;
+  readonly #store: Store;
+  readonly #events: AddressEvents;
 
-  /** `stepped`: whether there is something to undo or to redo may be another now. */
-  constructor(read: () => PageState, apply: (state: PageState) => void, stepped: () => void) {
-    this.#read = read;
-    this.#apply = apply;
-    this.#steps = new UndoSteps(stepped);
+  constructor(store: Store, events: AddressEvents) {
+    this.#store = store;
+    this.#events = events;
+    this.#steps = new UndoSteps(() => events.stepped());
+    this.#bar = this.#known = writeState(this.state);
     // A click is an action of its own, however soon after another one.
     window.addEventListener('click', () => this.flush(), { capture: true });
-    window.addEventListener('popstate', () => {
-      clearTimeout(this.#timer);
-      apply(this.state);
+    window.addEventListener('popstate', () => events.followed(this.state));
+    store.listen(({ settled }) => {
+      if (settled !== this.#settled) this.#settle(settled);
+      else this.#writeSoon();
     });
   }
 
@@ -49,24 +61,12 @@ export class Address {
   /** What is shown as an address. */
   get link(): string {
     const link = new URL(location.href);
-    link.hash = writeState(this.#read());
+    link.hash = this.#link;
     return link.href;
   }
 
-  /** Writes nothing until this work, which applies what the address holds, is over. */
-  async during(work: Promise<unknown>): Promise<void> {
-    ++this.#holders;
-    clearTimeout(this.#timer);
-    await work.catch(() => undefined);
-    if (--this.#holders > 0) return;
-    this.#isRestoring = false;
-    this.changed();
-  }
-
-  /** What is shown now did not come about by hand. */
-  settle(): void {
-    this.#known = writeState(this.#read());
-    this.#step(this.#known);
+  get #link(): string {
+    return writeState(this.#events.written(this.#store.meant));
   }
 
   get canUndo(): boolean {
@@ -90,27 +90,35 @@ export class Address {
     this.#restore(this.#steps.redo());
   }
 
-  #restore(text: string | undefined): void {
-    if (text === undefined) return;
-    this.#isRestoring = true;
-    history.replaceState(null, '', addressOf(text));
-    this.#apply(readState(text));
-  }
-
-  #step(text: string): void {
-    if (this.#isRestoring) this.#steps.correct(text);
-    else this.#steps.take(text);
-    this.#isRestoring = false;
-  }
-
   /** Writes a change at once that was to be written before long: what comes next is another step. */
   flush(): void {
     if (this.#timer !== undefined) this.#write();
   }
 
-  /** What is shown has changed: writes it before long. */
-  changed(): void {
-    if (this.#holders > 0) return;
+  #restore(text: string | undefined): void {
+    if (text === undefined) return;
+    this.#isRestoring = true;
+    history.replaceState(null, '', addressOf(text));
+    this.#events.followed(readState(text));
+  }
+
+  /** What a link or a step asked for is shown. */
+  #settle(settled: number): void {
+    this.#settled = settled;
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+    this.#bar = this.#link;
+    this.#step(writeState(this.#store.meant));
+  }
+
+  #step(text: string): void {
+    this.#known = text;
+    if (this.#isRestoring) this.#steps.correct(text);
+    else this.#steps.take(text);
+    this.#isRestoring = false;
+  }
+
+  #writeSoon(): void {
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.#write(), delay);
   }
@@ -118,21 +126,17 @@ export class Address {
   #write(): void {
     clearTimeout(this.#timer);
     this.#timer = undefined;
-    if (this.#holders > 0) return;
-    const before = this.state;
-    const now = this.#read();
-    const text = writeState(now);
-    if (text === this.#known) return;
-    if (text === writeState(before)) {
-      // What the address asks for has come about bit by bit.
-      this.#steps.correct(text);
-      return;
-    }
-    this.#known = text;
+    const { wish, meant } = this.#store;
+    // What is asked for is in the address already, or will be written when it is there.
+    if (wish && !wish.isMissing) return;
+    const bar = this.#link;
+    if (bar === this.#bar) return;
+    this.#bar = bar;
     const isStep =
-      !this.#isRestoring && writeState(withoutMoves(now)) !== writeState(withoutMoves(before));
-    this.#step(text);
-    if (isStep) history.pushState(null, '', addressOf(text));
-    else history.replaceState(null, '', addressOf(text));
+      !this.#isRestoring &&
+      writeState(withoutMoves(meant)) !== writeState(withoutMoves(readState(this.#known)));
+    this.#step(writeState(meant));
+    if (isStep) history.pushState(null, '', addressOf(bar));
+    else history.replaceState(null, '', addressOf(bar));
   }
 }

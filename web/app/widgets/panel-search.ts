@@ -1,17 +1,16 @@
 // What a panel searches for once the girth is there: its progress in words, to be stopped and started again.
 
 import { type GirthViewer, make } from '../../src/element/index.js';
-import type { WatchedOptions } from '../../src/kernel/index.js';
+import { type Key, Resource, type Status, type Watch } from '../results/resource.js';
 import { failureWords } from './failure-words.js';
-
-/** Options of one step of a search: its progress is said behind these words. */
-export type Watch = (words: string) => Required<WatchedOptions>;
 
 export interface Searched<Found> {
   /** On the button that starts it again. */
   again: string;
   /** As long as the girth is not there. */
   pending: string;
+  /** Of what it is found, beside the surface. */
+  parameters(): Key;
   /** When it was stopped. */
   stopped: string;
   /** Before the reason why it failed. */
@@ -26,8 +25,7 @@ export class PanelSearch<Found> {
   readonly #words = make('span', { class: 'hint', role: 'status' });
   readonly #cancel = make('button', { type: 'button', class: 'plain', hidden: '' }, 'Cancel');
   readonly #again: HTMLButtonElement;
-  #found: Found | undefined;
-  #running: AbortController | undefined;
+  readonly #resource: Resource<Found>;
   readonly #viewer: GirthViewer;
   readonly #searched: Searched<Found>;
 
@@ -35,14 +33,23 @@ export class PanelSearch<Found> {
     this.#viewer = viewer;
     this.#searched = searched;
     this.#again = make('button', { type: 'button', class: 'plain', hidden: '' }, searched.again);
-    this.#cancel.addEventListener('click', () => this.#running?.abort());
-    this.#again.addEventListener('click', () => void this.start());
+    this.#cancel.addEventListener('click', () => this.#resource.stop());
+    this.#again.addEventListener('click', () => this.start());
+    this.#resource = new Resource<Found>({
+      find: (watch) => this.#find(watch),
+      changed: (status) => this.#show(status),
+    });
     this.element = make('p', { class: 'working' }, this.#words, this.#cancel, this.#again);
   }
 
-  /** What was found of the present model. */
+  /** What was found for the present key. */
   get found(): Found | undefined {
-    return this.#found;
+    return this.#resource.found;
+  }
+
+  /** Whether that is there, or under way. */
+  get isCurrent(): boolean {
+    return this.#resource.isFor(this.#key);
   }
 
   say(words: string): void {
@@ -51,48 +58,50 @@ export class PanelSearch<Found> {
 
   /** Another model, or another question: what was found no longer counts. */
   clear(): void {
-    this.#running?.abort();
-    this.#running = undefined;
-    this.#found = undefined;
-    this.say('');
-    this.#again.hidden = this.#cancel.hidden = true;
+    this.#resource.drop();
+    this.#show({ is: 'unwanted' });
   }
 
   /** Searches as soon as the girth is there, unless that is done or under way. */
-  async start(): Promise<void> {
-    const [viewer, searched] = [this.#viewer, this.#searched];
-    if (!viewer.info || this.#found !== undefined || this.#running) return;
-    const running = new AbortController();
-    this.#running = running;
-    this.#again.hidden = true;
-    const say = (words: string): void => {
-      if (this.#running === running) this.say(words);
-    };
-    const watch: Watch = (words) => {
-      say(`${words} …`);
-      return {
-        signal: running.signal,
-        onProgress: (share) => say(`${words} … ${Math.round(100 * share)}\u202f%`),
-      };
-    };
-    try {
-      if (viewer.shareOf('igf') < 1) say(searched.pending);
-      await viewer.fieldOf('igf');
-      if (this.#running !== running) return;
-      this.#cancel.hidden = false;
-      const found = await searched.search(watch);
-      if (this.#running !== running) return;
-      this.#found = found;
-      say(searched.found(found));
-    } catch (error) {
-      if (this.#running !== running) return;
-      say(running.signal.aborted ? searched.stopped : `${searched.failed}${failureWords(error)}.`);
-      this.#again.hidden = false;
-    } finally {
-      if (this.#running === running) {
-        this.#running = undefined;
-        this.#cancel.hidden = true;
-      }
+  start(): void {
+    if (this.#viewer.info) this.#resource.want(this.#key);
+  }
+
+  get #key(): Key {
+    return [this.#viewer.info, ...this.#searched.parameters()];
+  }
+
+  async #find(watch: Watch): Promise<Found> {
+    await this.#viewer.fieldOf('igf');
+    return this.#searched.search(watch);
+  }
+
+  #show(status: Status<Found>): void {
+    const searched = this.#searched;
+    this.#again.hidden = status.is !== 'stopped' && status.is !== 'failed';
+    this.#cancel.hidden = status.is !== 'pending' || status.words === undefined;
+    this.say(wordsOf(status, searched, this.#viewer));
+  }
+}
+
+function wordsOf<Found>(
+  status: Status<Found>,
+  searched: Searched<Found>,
+  viewer: GirthViewer,
+): string {
+  switch (status.is) {
+    case 'unwanted':
+      return '';
+    case 'pending': {
+      const { words, share } = status;
+      if (words === undefined) return viewer.shareOf('igf') < 1 ? searched.pending : '';
+      return `${words} …${share === undefined ? '' : ` ${Math.round(100 * share)}\u202f%`}`;
     }
+    case 'done':
+      return searched.found(status.found);
+    case 'stopped':
+      return searched.stopped;
+    case 'failed':
+      return `${searched.failed}${failureWords(status.error)}.`;
   }
 }

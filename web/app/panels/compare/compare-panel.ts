@@ -47,7 +47,6 @@ export interface ComparePage {
   show(opened: Opened): void;
   /** Shows it beside the model that is on the page. */
   showBeside(opened: Opened): void;
-  changed(): void;
 }
 
 export class ComparePanel {
@@ -142,10 +141,7 @@ export class ComparePanel {
       ),
       make('p', { class: 'buttons' }, this.#buttons.keep, this.#buttons.gallery),
     );
-    this.panel.onToggle(() => {
-      this.#refresh();
-      page.changed();
-    });
+    this.panel.onToggle(() => this.#refresh());
     this.#refresh();
   }
 

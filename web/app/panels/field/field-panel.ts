@@ -16,7 +16,6 @@ import {
   formatNumber,
   girthKinds,
   girthStates,
-  isColormapName,
   isFieldName,
   isForAllEyes,
   isGivenName,
@@ -35,11 +34,11 @@ import {
   shareWithin,
   colourAt,
 } from '../../../src/element/plots.js';
-import type { PageState } from '../../state/address-state.js';
+import type { Store } from '../../state/store.js';
 import { axisNumber } from '../../widgets/axis-number.js';
 import { CategoryShares } from './category-shares.js';
 import type { ComputedFields } from '../../model/computed-fields.js';
-import { byId, setAttribute } from '../../widgets/dom.js';
+import { byId } from '../../widgets/dom.js';
 import { Draft } from '../../widgets/draft.js';
 import { MethodChoice } from './method-choice.js';
 import type { PagePlot } from '../../export/page-plot.js';
@@ -84,8 +83,6 @@ const rest = 15;
 
 /** What the panel needs of the page. */
 export interface FieldPage {
-  /** What is shown was changed by hand. */
-  changed(): void;
   /** The kinds of the present parts; undefined where there are none. */
   partKinds(): Uint8Array | undefined;
   /** How far the girth rises at the tip that each vertex is in, 0 elsewhere; undefined as above. */
@@ -142,10 +139,12 @@ export class FieldPanel {
   #took = 0;
   readonly #viewer: GirthViewer;
   readonly #computed: ComputedFields;
+  readonly #store: Store;
   readonly #page: FieldPage;
 
-  constructor(viewer: GirthViewer, computed: ComputedFields, page: FieldPage) {
+  constructor(viewer: GirthViewer, computed: ComputedFields, store: Store, page: FieldPage) {
     this.#viewer = viewer;
+    this.#store = store;
     this.#computed = computed;
     this.#page = page;
     const [field, plot] = [this.#field, this.#plot];
@@ -169,9 +168,9 @@ export class FieldPanel {
       histogram: kindButton('histogram', 'Histogram'),
       cdf: kindButton('cdf', 'Cumulative distribution'),
     };
-    this.#signature = new SignatureChoice(viewer, () => page.changed());
-    this.#method = new MethodChoice(viewer, () => page.changed());
-    this.#persistence = new PersistenceChoice(viewer, () => page.changed());
+    this.#signature = new SignatureChoice(viewer, store);
+    this.#method = new MethodChoice(viewer, store);
+    this.#persistence = new PersistenceChoice(viewer, store);
     plot.element.id = 'distribution';
     this.#rangeChoice.append(
       ...ranges.map(([value, words]) => make('option', { value }, words)),
@@ -185,15 +184,13 @@ export class FieldPanel {
     some.append(...colormapNames.filter((name) => !isForAllEyes(name)).map(option));
     this.#colormap.append(...colormapNames.filter(isForAllEyes).map(option), some);
     this.#log.addEventListener('change', () => {
-      viewer.toggleAttribute('log', this.#log.checked);
+      store.choose({ log: this.#log.checked });
       this.#paint();
-      page.changed();
     });
     this.#colormapDraft = new Draft(this.#colormap, {
       committed: (name) => {
-        viewer.setAttribute('colormap', name);
+        store.choose({ colormap: name });
         this.#paint();
-        page.changed();
       },
     });
     this.#isolines.append(
@@ -203,8 +200,7 @@ export class FieldPanel {
     );
     this.#isolinesDraft = new Draft(this.#isolines, {
       committed: (count) => {
-        setAttribute(viewer, 'isolines', count === '0' ? '' : count);
-        page.changed();
+        store.choose({ isolines: Number(count) || undefined });
       },
     });
     const kinds = make(
@@ -235,7 +231,23 @@ export class FieldPanel {
     this.#clearBrush.addEventListener('click', () => this.#setBrush(undefined));
     this.#isolines.setAttribute('aria-label', 'Lines of equal value');
     this.#setKind('histogram');
-    this.apply({});
+    store.watch(
+      [
+        ...([
+          'field',
+          'colormap',
+          'range',
+          'isolines',
+          'log',
+          'time',
+          'energy',
+          'component',
+        ] as const),
+        ...(['method', 'persistence'] as const),
+      ],
+      () => this.#follow(),
+    );
+    this.#follow();
 
     viewer.addEventListener('progress', ({ detail: { name } }) => {
       // The others have no values before all are there.
@@ -271,25 +283,23 @@ export class FieldPanel {
   choose(name: ShownName): void {
     if (name === this.name) return;
     this.#setBrush(undefined);
-    setAttribute(this.#viewer, 'field', name === 'igf' ? '' : name);
-    // Values of one field mean nothing for another; shares do.
-    if (!this.#viewer.getAttribute('range')?.includes('%')) this.#viewer.removeAttribute('range');
-    this.refresh();
-    this.#page.changed();
+    const { range } = this.#store.shown;
+    this.#store.choose({
+      field: name === 'igf' ? undefined : name,
+      // Values of one field mean nothing for another; shares do.
+      range: range?.includes('%') ? range : undefined,
+    });
   }
 
-  /** Another model: an empty plot, and the full range. */
+  /** Another model: an empty plot. */
   clear(): void {
     const viewer = this.#viewer;
     this.#areas = undefined;
     this.#setBrush(undefined);
-    viewer.removeAttribute('range');
     const own = viewer.given.map((name) => make('option', { value: name }, wordsFor(name)));
     this.#ofFile.replaceChildren(...own);
     this.#ofFile.hidden = own.length === 0;
-    if (!this.#isThere(this.name)) viewer.removeAttribute('field');
     this.#method.clear();
-    this.refresh();
     const { info } = viewer;
     void viewer.areas().then(
       (areas) => {
@@ -312,46 +322,10 @@ export class FieldPanel {
     }
   }
 
-  read(): PageState {
-    const viewer = this.#viewer;
-    const { name } = this;
-    const state: PageState = {
-      ...this.#signature.read(),
-      ...this.#method.read(),
-      ...this.#persistence.read(),
-    };
-    if (name !== 'igf') state.field = name;
-    const [colormap, range] = [viewer.getAttribute('colormap'), viewer.getAttribute('range')];
-    if (colormap) state.colormap = colormap;
-    if (range) state.range = range;
-    const isolines = Number(viewer.getAttribute('isolines') ?? 0);
-    if (isolines > 0) state.isolines = isolines;
-    if (viewer.hasAttribute('edges')) state.edges = true;
-    if (viewer.hasAttribute('log')) state.log = true;
-    return state;
-  }
-
-  /** Whether the model has what a name is of: values of a file are those of that file. */
-  #isThere(name: ShownName): boolean {
-    const { first, second } = combinationOf(name) ?? { first: name, second: name };
-    const given: readonly string[] = this.#viewer.given;
-    return [first, second].every((one) => !one.startsWith('_') || given.includes(one));
-  }
-
-  apply(state: PageState): void {
-    const viewer = this.#viewer;
-    const { field = null, colormap, range, isolines, edges } = state;
-    this.#signature.apply(state);
-    this.#method.apply(state);
-    this.#persistence.apply(state);
-    const isOther = isShownName(field) && field !== 'igf' && this.#isThere(field);
-    setAttribute(viewer, 'field', isOther ? field : '');
-    setAttribute(viewer, 'colormap', isColormapName(colormap) ? colormap : '');
-    setAttribute(viewer, 'range', range ?? '');
-    setAttribute(viewer, 'isolines', isolines ? String(isolines) : '');
-    viewer.toggleAttribute('edges', edges ?? false);
-    viewer.toggleAttribute('log', state.log ?? false);
-    this.#log.checked = state.log ?? false;
+  /** Shows what the state has. */
+  #follow(): void {
+    const { log = false, isolines } = this.#store.shown;
+    this.#log.checked = log;
     const count = String(isolines ?? 0);
     if (![...this.#isolines.options].some(({ value }) => value === count)) {
       this.#isolines.append(make('option', { value: count }, `${count} lines`));
@@ -502,9 +476,8 @@ export class FieldPanel {
   }
 
   #setRange(range: string): void {
-    setAttribute(this.#viewer, 'range', range);
+    this.#store.choose({ range: range || undefined });
     this.#paint();
-    this.#page.changed();
   }
 
   #setBrush(range: [number, number] | undefined): void {

@@ -8,14 +8,12 @@ import {
   make,
   sentence,
 } from '../../../src/element/index.js';
-import type { PageState } from '../../state/address-state.js';
-import { setAttribute } from '../../widgets/dom.js';
+import { usualMethod } from '../../state/attributes.js';
+import type { Store } from '../../state/store.js';
 import { Draft } from '../../widgets/draft.js';
 import { kernel } from '../../model/kernel.js';
 import { memoryWords, mostMemory, refinedMemory } from './refined-memory.js';
 
-/** Models from this many faces on are computed on few triangles first: exactly they would take long. */
-const manyFaces = 100_000;
 /** What the methods change. */
 const concerned = new Set(['igf', 'kind', 'state', 'tips', 'parts']);
 const methods: readonly [GirthMethod, string][] = [
@@ -31,11 +29,11 @@ export class MethodChoice {
   readonly #draft: Draft;
   #name = 'none';
   readonly #viewer: GirthViewer;
-  readonly #changed: () => void;
+  readonly #store: Store;
 
-  constructor(viewer: GirthViewer, changed: () => void) {
+  constructor(viewer: GirthViewer, store: Store) {
     this.#viewer = viewer;
-    this.#changed = changed;
+    this.#store = store;
     this.#select.append(...methods.map(([value, words]) => make('option', { value }, words)));
     this.#draft = new Draft(this.#select, {
       committed: (method) => this.#choose(method as GirthMethod),
@@ -61,25 +59,14 @@ export class MethodChoice {
     return methods.find(([method]) => method === text)?.[0] ?? 'exact';
   }
 
-  /** What the page does unless somebody chooses; files may have the girth in them. */
+  /** What the page does unless somebody chooses. */
   get #usual(): GirthMethod {
-    const { info, given } = this.#viewer;
-    return info && info.faceCount >= manyFaces && !given.includes('igf') ? 'coarse' : 'exact';
+    return usualMethod(this.#store.held.facts);
   }
 
-  /** Another model: as is usual for it. */
+  /** Another model. */
   clear(): void {
     this.#draft.discard();
-    this.#set(this.#usual);
-  }
-
-  read(): PageState {
-    const { method } = this;
-    return method === this.#usual ? {} : { method };
-  }
-
-  apply({ method }: PageState): void {
-    this.#set(method ?? this.#usual);
   }
 
   /** For what colours the surface; hidden where the method does not matter to it, and for small models. */
@@ -109,13 +96,8 @@ export class MethodChoice {
     if (this.#said.textContent !== words) this.#said.textContent = words;
   }
 
-  #set(method: GirthMethod): void {
-    setAttribute(this.#viewer, 'method', method === 'exact' ? '' : method);
-  }
-
   #choose(method: GirthMethod): void {
-    this.#set(method);
-    this.#changed();
+    this.#store.choose({ method: method === this.#usual ? undefined : method });
   }
 }
 

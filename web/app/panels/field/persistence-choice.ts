@@ -7,7 +7,8 @@ import {
   readLengthOrShare,
 } from '../../../src/element/index.js';
 import { persistentFields } from '../../../src/kernel/index.js';
-import type { PageState } from '../../state/address-state.js';
+import type { Store } from '../../state/store.js';
+import { setAttribute } from '../../widgets/dom.js';
 import { Draft } from '../../widgets/draft.js';
 import { failureWords } from '../../widgets/failure-words.js';
 
@@ -24,6 +25,9 @@ export function persistenceOf(viewer: GirthViewer): number {
   return 'length' in read ? read.length : 0;
 }
 
+const textOf = (percent: number): string | undefined =>
+  percent > 0 ? `${Number(percent.toFixed(2))}%` : undefined;
+
 export class PersistenceChoice {
   readonly element = make('div', { class: 'slide persistence' });
   readonly #words = make('output', { for: 'persistence' });
@@ -39,16 +43,14 @@ export class PersistenceChoice {
   #isKept = false;
   /** What is to be shown once they are, in percent. */
   #awaited: number | undefined;
-  /** What was shown before the hand began to move, while it does; '' for no persistence. */
-  #settled: string | undefined;
   #painting = 0;
   #name = 'igf';
   readonly #viewer: GirthViewer;
-  readonly #changed: () => void;
+  readonly #store: Store;
 
-  constructor(viewer: GirthViewer, changed: () => void) {
+  constructor(viewer: GirthViewer, store: Store) {
     this.#viewer = viewer;
-    this.#changed = changed;
+    this.#store = store;
     this.element.append(
       make('label', { for: 'persistence' }, 'Wrinkles ignored'),
       this.#words,
@@ -57,15 +59,11 @@ export class PersistenceChoice {
     );
     this.#draft = new Draft(this.#slider, {
       edited: () => {
-        this.#settled ??= viewer.getAttribute('persistence') ?? '';
         this.#write();
         if (this.#isKept && !viewer.hasAttribute('method')) this.#paintSoon();
       },
       committed: () => void this.#choose(this.#percent),
-      ended: () => {
-        this.#settled = undefined;
-        this.#write();
-      },
+      ended: () => this.#write(),
     });
     viewer.addEventListener('load', () => {
       this.#isKept = false;
@@ -83,19 +81,6 @@ export class PersistenceChoice {
     this.#slider.disabled = !this.#viewer.info;
     this.#draft.show(String(Math.round(this.#wanted / step)));
     this.#write();
-  }
-
-  /** What the hand passes over on its way is no state of its own. */
-  read(): PageState {
-    const persistence = this.#settled ?? this.#viewer.getAttribute('persistence');
-    return persistence ? { persistence } : {};
-  }
-
-  apply({ persistence }: PageState): void {
-    if (persistence === undefined) this.#viewer.removeAttribute('persistence');
-    else if (persistence !== this.#viewer.getAttribute('persistence')) {
-      this.#viewer.setAttribute('persistence', persistence);
-    }
   }
 
   /** In percent: what is waited for, or what the attribute asks for. */
@@ -121,17 +106,17 @@ export class PersistenceChoice {
     this.#slider.setAttribute('aria-valuetext', this.#words.textContent);
   }
 
-  #set(percent: number): void {
-    const viewer = this.#viewer;
-    const text = percent > 0 ? `${Number(percent.toFixed(2))}%` : undefined;
-    if (text === undefined) viewer.removeAttribute('persistence');
-    else if (text !== viewer.getAttribute('persistence')) viewer.setAttribute('persistence', text);
+  /** What the hand passes over on its way is shown, and is no state. */
+  #paint(text: string | undefined): void {
+    if ((text ?? '') !== (this.#viewer.getAttribute('persistence') ?? '')) {
+      setAttribute(this.#viewer, 'persistence', text);
+    }
   }
 
   /** Once a frame is enough: a hand moves more often. */
   #paintSoon(): void {
     cancelAnimationFrame(this.#painting);
-    this.#painting = requestAnimationFrame(() => this.#set(this.#percent));
+    this.#painting = requestAnimationFrame(() => this.#paint(textOf(this.#percent)));
   }
 
   /** Shows the girth with a persistence; at first the saddles of all vertices are computed. */
@@ -162,8 +147,9 @@ export class PersistenceChoice {
       }
     }
     this.#awaited = undefined;
-    this.#set(percent);
+    const text = textOf(percent);
+    this.#store.choose({ persistence: text });
+    this.#paint(text);
     this.#write();
-    this.#changed();
   }
 }

@@ -2,7 +2,7 @@
 
 import { type GirthViewer, make } from '../../../src/element/index.js';
 import { type SpectralFieldName, signatureNumbers, usualTime } from '../../../src/kernel/index.js';
-import type { PageState } from '../../state/address-state.js';
+import type { Store } from '../../state/store.js';
 import { Draft } from '../../widgets/draft.js';
 
 interface Signature {
@@ -59,7 +59,7 @@ export class SignatureChoice {
   #shown: Signature | undefined;
   readonly #viewer: GirthViewer;
 
-  constructor(viewer: GirthViewer, changed: () => void) {
+  constructor(viewer: GirthViewer, store: Store) {
     this.#viewer = viewer;
     const slider = this.#slider;
     this.element.append(this.#label, this.#words, slider);
@@ -68,9 +68,8 @@ export class SignatureChoice {
       // Not before the hand lets go: to be computed takes a while, and a new wish would end it.
       committed: (text) => {
         if (!this.#shown) return;
-        viewer.setAttribute(this.#shown.attribute, String(this.#shown.at(Number(text))));
+        store.choose({ [this.#shown.attribute]: this.#shown.at(Number(text)) });
         this.#write();
-        changed();
       },
       ended: () => this.#write(),
     });
@@ -92,23 +91,6 @@ export class SignatureChoice {
     this.#slider.max = String(steps);
     this.#draft.show(String(stepOf(this.#number(this.#shown))));
     this.#write();
-  }
-
-  read(): PageState {
-    const state: PageState = {};
-    for (const { attribute } of Object.values(signatures)) {
-      const number = Number(this.#viewer.getAttribute(attribute) ?? NaN);
-      if (Number.isFinite(number)) state[attribute] = number;
-    }
-    return state;
-  }
-
-  apply(state: PageState): void {
-    for (const { attribute } of Object.values(signatures)) {
-      const number = state[attribute];
-      if (number === undefined) this.#viewer.removeAttribute(attribute);
-      else this.#viewer.setAttribute(attribute, String(number));
-    }
   }
 
   #number({ attribute, usual }: Signature): number {

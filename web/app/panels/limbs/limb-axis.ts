@@ -21,12 +21,12 @@ export class LimbAxisProfile {
   #number = 0;
   readonly #viewer: GirthViewer;
 
-  /** `pinned`: a loop was pinned. */
-  constructor(viewer: GirthViewer, pinned: () => void) {
+  constructor(viewer: GirthViewer) {
     this.#viewer = viewer;
     this.#search = new PanelSearch<LimbAxis>(viewer, {
       again: 'Measure',
       pending: '',
+      parameters: () => [this.#limb],
       stopped: 'Not measured.',
       failed: 'Not measured: ',
       search: (watch) => viewer.axis(this.#limb!, watch('Sweeping a loop along the axis')),
@@ -47,7 +47,7 @@ export class LimbAxisProfile {
         moved: (at) => {
           if (viewer.info) viewer.showLoop(at === undefined ? undefined : this.#baseOf(at));
         },
-        chosen: (at) => void viewer.pin(this.#baseOf(at)).then(pinned, () => undefined),
+        chosen: (at) => void viewer.pin(this.#baseOf(at)).catch(() => undefined),
         table: () => this.table,
         fileName: () => `${this.#stem}.csv`,
       },
@@ -79,7 +79,7 @@ export class LimbAxisProfile {
     this.#number = number;
     this.#limb = limb;
     this.element.hidden = false;
-    void this.#search.start();
+    this.#search.start();
   }
 
   clear(): void {

@@ -4,7 +4,7 @@
 import { type GirthViewer, formatLength, formatNumber, make } from '../../../src/element/index.js';
 import type { GirthStation, Limb, LimbEnd, Limbs } from '../../../src/kernel/index.js';
 import { ProfilePlot } from '../../../src/element/plots.js';
-import type { PageState } from '../../state/address-state.js';
+import type { Store } from '../../state/store.js';
 import { axisNumber } from '../../widgets/axis-number.js';
 import { LimbAxisProfile } from './limb-axis.js';
 import { plural } from '../../model/model-words.js';
@@ -58,18 +58,16 @@ export class LimbsPanel {
   });
   readonly #search: PanelSearch<Limbs>;
   readonly #axis: LimbAxisProfile;
-  /** The limb along whose axis the girth is shown, or will be as soon as limbs are there; from 1. */
-  #wishedAxis: number | undefined;
   #rows: Row[] = [];
   #selected: Row | undefined;
   /** Of each vertex the row of the shortest limb that it lies in, and how far from the apex. */
   #places: Map<number, { row: Row; distance: number }> = new Map();
   readonly #viewer: GirthViewer;
-  readonly #changed: () => void;
+  readonly #store: Store;
 
-  constructor(viewer: GirthViewer, changed: () => void) {
+  constructor(viewer: GirthViewer, store: Store) {
     this.#viewer = viewer;
-    this.#changed = changed;
+    this.#store = store;
     const heads = measures.map((name) =>
       make('th', { scope: 'col', class: 'number' }, measureWords[name]),
     );
@@ -84,6 +82,7 @@ export class LimbsPanel {
     this.#search = new PanelSearch(viewer, {
       again: 'Measure',
       pending: 'Limbs follow as soon as the girth is computed …',
+      parameters: () => [store.shown.persistence, store.shown.method],
       stopped: 'Not measured.',
       failed: 'No limbs: ',
       search: (watch) => viewer.limbs(watch('Measuring limbs')),
@@ -108,14 +107,19 @@ export class LimbsPanel {
       this.#more,
       this.#actions.element,
     );
-    this.#axis = new LimbAxisProfile(viewer, changed);
+    this.#axis = new LimbAxisProfile(viewer);
     this.panel.onToggle((isOpen) => {
-      if (isOpen) void this.#search.start();
+      if (isOpen) this.#search.start();
       else this.#select(undefined);
       // After another panel has taken its own lines away.
       queueMicrotask(() => this.#axis.draw(this.panel.isOpen));
       this.#showAxis();
-      changed();
+    });
+    store.watch(['axis'], () => this.#showAxis());
+    store.watch(['persistence', 'method'], () => {
+      // Of another girth there are other limbs.
+      if (this.#search.found && !this.#search.isCurrent) this.clear();
+      if (this.panel.isOpen) this.#search.start();
     });
     viewer.addEventListener('unit', () => {
       this.#refresh();
@@ -128,34 +132,17 @@ export class LimbsPanel {
     this.clear();
   }
 
-  /** Another model. */
+  /** Another model, or another girth, to be measured anew. */
   clear(): void {
-    this.#wishedAxis = undefined;
-    this.forget();
-  }
-
-  /** Another girth is shown, to be measured anew. */
-  forget(): void {
     this.#search.clear();
     this.#selected = undefined;
     this.#axis.clear();
     this.#show();
   }
 
-  /** What links have of it. */
-  read(): PageState {
-    return this.#wishedAxis === undefined ? {} : { axis: this.#wishedAxis };
-  }
-
-  /** Shows what a link asks for. */
-  apply({ axis }: PageState): void {
-    this.#wishedAxis = axis;
-    this.#showAxis();
-  }
-
   /** The girth is computed: what waits for it goes on. */
   girthIsThere(): void {
-    if (this.panel.isOpen) void this.#search.start();
+    if (this.panel.isOpen) this.#search.start();
   }
 
   /** As spreadsheets have it, in the unit that is shown. */
@@ -234,6 +221,7 @@ export class LimbsPanel {
   }
 
   #row(limb: Limb, number: number): Row {
+    const store = this.#store;
     const choose = make('button', { type: 'button', 'aria-pressed': 'false' }, String(number));
     const cells = measures.map(() => make('td', { class: 'number' }));
     const words = make('p', { class: 'hint' });
@@ -251,9 +239,7 @@ export class LimbsPanel {
     const row: Row = { limb, number, elements, plot, choose, words, axis, wide, cells };
     axis.setAttribute('aria-label', `Profile along the axis of limb ${number}`);
     axis.addEventListener('click', () => {
-      this.#wishedAxis = this.#wishedAxis === number ? undefined : number;
-      this.#showAxis();
-      this.#changed();
+      store.choose({ axis: store.shown.axis === number ? undefined : number });
     });
     plot.element.setAttribute('aria-label', `Girth along limb ${number}, from its tip to its base`);
     choose.addEventListener('click', () => {
@@ -317,7 +303,7 @@ export class LimbsPanel {
   }
 
   #pin({ place }: GirthStation): void {
-    if (place !== undefined) void this.#viewer.pin(place).then(this.#changed, () => undefined);
+    if (place !== undefined) void this.#viewer.pin(place).catch(() => undefined);
   }
 
   /** The pointer is at a vertex of the surface: the cursor of its limb goes there. */
@@ -346,7 +332,7 @@ export class LimbsPanel {
 
   /** The girth along the axis that is asked for, once the limbs are there. */
   #showAxis(): void {
-    const row = this.#rows.find(({ number }) => number === this.#wishedAxis);
+    const row = this.#rows.find(({ number }) => number === this.#store.shown.axis);
     for (const { axis, number } of this.#rows) {
       axis.setAttribute('aria-pressed', String(number === row?.number));
     }

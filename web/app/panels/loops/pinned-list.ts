@@ -7,8 +7,10 @@ import {
   formatNumber,
   make,
 } from '../../../src/element/index.js';
-import type { Loop } from '../../../src/kernel/index.js';
+import type { Loop, SurfacePoint } from '../../../src/kernel/index.js';
+import { pinnedOf } from '../../state/actions.js';
 import { type PageState, longestName } from '../../state/address-state.js';
+import type { Store } from '../../state/store.js';
 import { byId } from '../../widgets/dom.js';
 import { Draft } from '../../widgets/draft.js';
 import { Panel } from '../../widgets/panel.js';
@@ -23,6 +25,8 @@ const kindNames = { loop: 'loop', antipodal: 'there and back', unresolved: 'at l
 function placeOf({ base }: Loop): string {
   return typeof base === 'number' ? `vertex ${base}` : `face ${base.face}`;
 }
+
+const keyOf = (point: SurfacePoint): string => JSON.stringify(point);
 
 interface Row {
   element: HTMLElement;
@@ -44,11 +48,18 @@ export class PinnedList {
   readonly #barcode: PointBarcode;
   readonly #distance: PointDistance;
   readonly #viewer: GirthViewer;
-  readonly #changed: () => void;
+  readonly #store: Store;
+  /** Loops of a project that are being pinned: none of them is computed. */
+  #adopting: Promise<unknown> = Promise.resolve();
+  /** Loops of the state that are being computed, by their places. */
+  #coming = new Map<string, { point: SurfacePoint; name: string }>();
+  #isPinning = false;
+  /** The surface is being made as the state says. */
+  #isFollowing = false;
 
-  constructor(viewer: GirthViewer, changed: () => void) {
+  constructor(viewer: GirthViewer, store: Store) {
     this.#viewer = viewer;
-    this.#changed = changed;
+    this.#store = store;
     const head = make(
       'tr',
       {},
@@ -68,11 +79,10 @@ export class PinnedList {
     this.panel.onToggle((isOpen) => {
       this.#barcode.refresh(isOpen);
       this.#distance.refresh(isOpen);
-      changed();
     });
     const refresh = (): void => this.#refresh();
     for (const event of ['load', 'unit', 'field', 'pick']) viewer.addEventListener(event, refresh);
-    viewer.addEventListener('pick', changed);
+    viewer.addEventListener('pick', () => this.#keep());
     refresh();
   }
 
@@ -98,35 +108,74 @@ export class PinnedList {
     return pinned.map(({ loop }) => formatLength(loop.length, lengthFormat).replace('\u202f', ' '));
   }
 
-  read(): PageState {
-    const { pinned } = this.#viewer;
-    if (pinned.length === 0) return {};
-    const loops = pinned.map(({ loop }) => loop.base);
-    const names = pinned.map(({ name }) => name);
-    return names.some((name) => name !== '') ? { loops, names } : { loops };
+  /** Those that are being pinned come before any that the state asks for. */
+  adopting(work: Promise<unknown>): void {
+    this.#adopting = work;
   }
 
-  /** Pins what is missing, names it, and removes what is too much. */
-  async apply({ loops = [], names = [] }: PageState): Promise<void> {
+  /** What is pinned by hand is in the state; what the state asks for stays there until it is pinned. */
+  #keep(): void {
+    if (this.#isFollowing) return;
+    const { loops = [], names = [] } = this.#store.shown;
+    const pins = new Map(
+      this.#viewer.pinned.map(({ loop: { base: point }, name }) => [keyOf(point), { point, name }]),
+    );
+    const kept = loops.flatMap((point, i) => {
+      const key = keyOf(point);
+      const pin = pins.get(key);
+      pins.delete(key);
+      if (this.#coming.has(key)) return [{ point, name: names[i] ?? '' }];
+      return pin ? [pin] : [];
+    });
+    this.#store.choose(pinnedOf([...kept, ...pins.values()]));
+  }
+
+  /** Removes what is too much, names the others, and pins what is missing. */
+  follow({ loops = [], names = [] }: PageState): void {
     const viewer = this.#viewer;
-    const wanted = new Map(loops.map((base, i) => [JSON.stringify(base), names[i] ?? '']));
-    for (const { id, loop } of viewer.pinned) {
-      const key = JSON.stringify(loop.base);
-      const name = wanted.get(key);
-      if (!wanted.delete(key)) viewer.unpin(id);
-      else viewer.nameLoop(id, name!);
+    const missing = new Map(
+      loops.map((point, i) => [keyOf(point), { point, name: names[i] ?? '' }]),
+    );
+    this.#isFollowing = true;
+    for (const { id, name, loop } of viewer.pinned) {
+      const key = keyOf(loop.base);
+      const wanted = missing.get(key);
+      missing.delete(key);
+      if (!wanted) viewer.unpin(id);
+      else if (name !== wanted.name && !this.#coming.has(key)) viewer.nameLoop(id, wanted.name);
     }
-    const { info } = viewer;
-    for (const base of loops) {
-      if (viewer.info !== info) return;
-      const name = wanted.get(JSON.stringify(base));
-      if (name === undefined) continue;
-      wanted.delete(JSON.stringify(base));
+    this.#isFollowing = false;
+    this.#coming = missing;
+    if (missing.size > 0) void this.#pinComing();
+  }
+
+  /** One after another: a hand that moves over the surface comes in between. */
+  async #pinComing(): Promise<void> {
+    const viewer = this.#viewer;
+    if (this.#isPinning) return;
+    this.#isPinning = true;
+    await this.#adopting.catch(() => undefined);
+    for (let next = this.#next; next; next = this.#next) {
+      const { info } = viewer;
+      const key = keyOf(next.point);
       // A place that this model does not have is no reason to complain.
-      const pin = await viewer.pin(base).catch(() => undefined);
-      if (pin) viewer.nameLoop(pin.id, name);
+      const pin =
+        viewer.pinned.find(({ loop }) => keyOf(loop.base) === key) ??
+        (await viewer.pin(next.point).catch(() => undefined));
+      // Another model has loops of its own.
+      if (viewer.info !== info) continue;
+      const wanted = this.#coming.get(key);
+      if (pin && !wanted) viewer.unpin(pin.id);
+      else if (pin) viewer.nameLoop(pin.id, wanted!.name);
+      this.#coming.delete(key);
     }
+    this.#isPinning = false;
+    this.#keep();
     this.#refresh();
+  }
+
+  get #next(): { point: SurfacePoint; name: string } | undefined {
+    return this.#coming.values().next().value;
   }
 
   #refresh(): void {
@@ -158,7 +207,7 @@ export class PinnedList {
     const remove = make('button', { type: 'button', title: 'Remove' }, '✕');
     remove.addEventListener('click', () => {
       viewer.unpin(id);
-      this.#changed();
+      this.#keep();
     });
     const name = make('input', {
       type: 'text',

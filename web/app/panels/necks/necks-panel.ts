@@ -27,6 +27,7 @@ import { Panel } from '../../widgets/panel.js';
 import { PanelSearch } from '../../widgets/panel-search.js';
 import { PlaceList, type PlaceRow } from '../../widgets/place-list.js';
 import { term } from '../../help/terms.js';
+import type { Store } from '../../state/store.js';
 import { TwoPoints } from './two-points.js';
 
 const handleWords = { handle: 'handle', tunnel: 'tunnel', unknown: 'handle or tunnel' } as const;
@@ -42,12 +43,6 @@ type Listed =
 
 const lengthOf = (listed: Listed): number =>
   listed.kind === 'bottleneck' ? listed.loop.girth : listed.loop.length;
-
-export interface NecksEvents {
-  changed(): void;
-  /** Shows the surface without its handles and tunnels that are shorter than a length, in model units. */
-  removeHandles(length: number): Promise<HandleRemoval | undefined>;
-}
 
 export class NecksPanel {
   readonly panel = new Panel('necks-panel');
@@ -74,13 +69,23 @@ export class NecksPanel {
   #chosen: Listed | undefined;
   /** Along what the surface is shown cut, or will be as soon as that is found. */
   #cut: CutWish | undefined;
+  /** The panel is being brought to what the state says. */
+  #isFollowing = false;
   readonly #viewer: GirthViewer;
+  readonly #store: Store;
 
-  constructor(viewer: GirthViewer, events: NecksEvents) {
+  /** `removeHandles` shows the surface without its handles and tunnels that are shorter than a length, in model units. */
+  constructor(
+    viewer: GirthViewer,
+    store: Store,
+    removeHandles: (length: number) => Promise<HandleRemoval | undefined>,
+  ) {
     this.#viewer = viewer;
+    this.#store = store;
     this.#search = new PanelSearch(viewer, {
       again: 'Search',
       pending: 'Necks follow as soon as the girth is computed …',
+      parameters: () => [store.shown.persistence, store.shown.method],
       stopped: 'Not searched to the end.',
       failed: '',
       search: async (watch) => ({
@@ -94,7 +99,7 @@ export class NecksPanel {
         return '';
       },
     });
-    this.#removal = new HandleRemovalForm(viewer, (length) => events.removeHandles(length));
+    this.#removal = new HandleRemovalForm(viewer, removeHandles);
     this.#between = new TwoPoints(viewer, {
       chosen: (loop, byHand) => {
         this.#choose({ kind: 'bottleneck', loop }, byHand);
@@ -105,8 +110,7 @@ export class NecksPanel {
         if (this.#chosen?.kind === 'bottleneck') this.#choose(undefined);
         else this.#draw(this.#chosen);
       },
-      asked: () => events.changed(),
-      pinned: () => events.changed(),
+      asked: () => this.#keep(),
     });
     this.#least = new LengthInput('neck-prominence', 'Standing out by', {
       changed: () => {
@@ -116,14 +120,14 @@ export class NecksPanel {
         // The segments follow what they are cut at.
         if (this.#cut === 'necks' && this.#shownNecks.length > 0) this.#cutAlong('necks');
         else if (this.#cut === 'necks') this.#parts.mend();
-        events.changed();
+        this.#keep();
       },
       wrong: (why) => this.#search.say(`${why}.`),
     });
     this.#cap.checked = true;
     this.#parts = new CutParts(viewer, () => {
       if (!this.#parts.isShown) this.#cut = undefined;
-      events.changed();
+      this.#keep();
     });
     this.#cutHere.addEventListener('click', () => {
       if (this.#chosen) this.#cutAlong(this.#nameOf(this.#chosen));
@@ -180,7 +184,7 @@ export class NecksPanel {
     );
     this.panel.onToggle((isOpen) => {
       if (isOpen) {
-        void this.#search.start();
+        this.#search.start();
         this.#between.answer();
         this.#cutAsWished();
       } else {
@@ -192,7 +196,17 @@ export class NecksPanel {
       this.#between.mark(isOpen);
       this.#draw(this.#chosen);
       this.#drawAll();
-      events.changed();
+      this.#keep();
+    });
+    store.watch(['persistence', 'method'], () => {
+      // Of another girth there are other necks.
+      if (this.#search.found && !this.#search.isCurrent) this.#forget();
+      if (this.panel.isOpen) this.#search.start();
+    });
+    store.watch(['bottleneck', 'profile', 'prominence', 'cut', 'rims'], (state) => {
+      this.#isFollowing = true;
+      this.#follow(state);
+      this.#isFollowing = false;
     });
     viewer.addEventListener('unit', () => this.#refresh());
     this.clear();
@@ -212,15 +226,15 @@ export class NecksPanel {
     };
   }
 
-  /** What links have of it. */
-  read(): PageState {
-    const { length } = this.#least;
-    return {
-      ...this.#between.read(),
-      ...(length === undefined ? {} : { prominence: length }),
-      ...(this.#cut ? { cut: this.#cut } : {}),
-      ...(this.#cut && !this.#cap.checked ? { rims: true } : {}),
-    };
+  /** What is shown by hand now is the state. */
+  #keep(): void {
+    if (this.#isFollowing) return;
+    this.#store.choose({
+      ...{ bottleneck: undefined, profile: undefined, ...this.#between.asked },
+      prominence: this.#least.length,
+      cut: this.#cut,
+      rims: this.#cut !== undefined && !this.#cap.checked,
+    });
   }
 
   /** The same as attributes of an element. */
@@ -228,8 +242,8 @@ export class NecksPanel {
     return this.#between.attributes;
   }
 
-  /** Asks what a link asks. */
-  apply(state: PageState): void {
+  /** Shows what the state asks for. */
+  #follow(state: PageState): void {
     const { prominence, cut, rims } = state;
     const viewer = this.#viewer;
     const isAnotherCut = cut !== this.#cut || prominence !== this.#least.length;
@@ -256,7 +270,7 @@ export class NecksPanel {
 
   /** Another model. */
   clear(): void {
-    this.forget();
+    this.#forget();
     this.#cut = undefined;
     this.#between.clear();
     this.#removal.clear();
@@ -268,8 +282,8 @@ export class NecksPanel {
     this.#refresh();
   }
 
-  /** Another girth is shown, to be searched anew; what is between two points is about the girth itself, and stays. */
-  forget(): void {
+  /** Another girth is to be searched anew; what is between two points is about the girth itself, and stays. */
+  #forget(): void {
     this.#search.clear();
     this.#chosen = undefined;
     if (this.#parts.isShown) this.#cut = undefined;
@@ -280,7 +294,7 @@ export class NecksPanel {
 
   /** The girth is computed: what waits for it goes on. */
   girthIsThere(): void {
-    if (this.panel.isOpen) void this.#search.start();
+    if (this.panel.isOpen) this.#search.start();
     this.#between.girthIsThere();
   }
 

@@ -8,7 +8,7 @@ import {
   make,
   writePath,
 } from '../../../src/element/index.js';
-import type { Bottleneck, MeshInfo, Profile, SurfacePoint } from '../../../src/kernel/index.js';
+import type { Bottleneck, Profile, SurfacePoint } from '../../../src/kernel/index.js';
 import type { PageState } from '../../state/address-state.js';
 import { AlongPlot } from '../../widgets/along-plot.js';
 import { formatArea } from '../../widgets/area-words.js';
@@ -40,17 +40,11 @@ export interface TwoPointsEvents {
   changed(): void;
   /** Something else is asked, by hand. */
   asked(): void;
-  /** A loop was pinned. */
-  pinned(): void;
 }
 
 /** Whether two are the same place. */
 const isSame = (one: SurfacePoint, other: SurfacePoint): boolean =>
   JSON.stringify(one) === JSON.stringify(other);
-
-/** Whether a surface has such a point: links may be about another one. */
-const isOn = (point: SurfacePoint, { vertexCount, faceCount }: MeshInfo): boolean =>
-  typeof point === 'number' ? point < vertexCount : point.face < faceCount;
 
 /** The vertices of the face that a point lies in, with its shares of them. */
 function corners(point: SurfacePoint, indices: ArrayLike<number>): [number, number][] {
@@ -87,6 +81,8 @@ export class TwoPoints {
     this.#search = new PanelSearch<Answer>(viewer, {
       again: 'Measure',
       pending: 'The answer follows as soon as the girth is computed …',
+      // About the girth itself, whatever persistence is shown.
+      parameters: () => [this.#question, this.#points],
       stopped: 'Not measured.',
       failed: 'Not measured: ',
       search: async (watch) => {
@@ -171,15 +167,15 @@ export class TwoPoints {
     this.#show();
   }
 
-  /** The question and its points, as links have them. */
-  read(): PageState {
+  /** The question and its points, as the state has them. */
+  get asked(): Pick<PageState, Question> {
     const isWhole = this.#points.length >= 2 && !this.#drawing.isDrawing;
     return isWhole ? { [this.#question]: [...this.#points] } : {};
   }
 
   /** The same as attributes of an element. */
   get attributes(): ViewerState {
-    const { bottleneck, profile } = this.read();
+    const { bottleneck, profile } = this.asked;
     return {
       ...(bottleneck ? { bottleneck: writePath(bottleneck) } : {}),
       ...(profile ? { profile: writePath(profile) } : {}),
@@ -188,12 +184,10 @@ export class TwoPoints {
 
   /** Asks what a link asks; what is shown already stays. `isShown`: the answer is wanted now. */
   apply({ bottleneck, profile }: PageState, isShown: boolean): void {
-    const { info } = this.#viewer;
     const question: Question = profile && !bottleneck ? 'profile' : 'bottleneck';
-    const wanted = bottleneck ?? profile ?? [];
-    const points = info && wanted.every((point) => isOn(point, info)) ? wanted : [];
+    const points = bottleneck ?? profile ?? [];
     const asked = points.length >= 2 ? { [question]: points } : {};
-    if (JSON.stringify(asked) === JSON.stringify(this.read())) return;
+    if (JSON.stringify(asked) === JSON.stringify(this.asked)) return;
     this.clear();
     this.#points = points;
     this.#question = question;
@@ -218,7 +212,7 @@ export class TwoPoints {
   /** Answers what is asked, unless that is done or under way. */
   answer(): void {
     const isAsked = this.#choosing !== undefined || this.#drawing.isDrawing;
-    if (this.#points.length >= 2 && !isAsked) void this.#search.start();
+    if (this.#points.length >= 2 && !isAsked) this.#search.start();
   }
 
   /** The path of the profile. */
@@ -376,7 +370,7 @@ export class TwoPoints {
     this.#search.clear();
     this.#show();
     this.#events.asked();
-    void this.#search.start();
+    this.#search.start();
   }
 
   #showButtons(): void {
@@ -428,10 +422,6 @@ export class TwoPoints {
 
   #pin(station: number): void {
     const at = this.#profile?.stations[station];
-    if (at)
-      void this.#viewer.pin(at.place).then(
-        () => this.#events.pinned(),
-        () => undefined,
-      );
+    if (at) void this.#viewer.pin(at.place).catch(() => undefined);
   }
 }

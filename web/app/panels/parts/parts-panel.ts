@@ -10,6 +10,7 @@ import {
 import type { Field, Part, PartKind, Parts, PartThresholds } from '../../../src/kernel/index.js';
 import { ScatterPlot } from '../../../src/element/plots.js';
 import type { PageState } from '../../state/address-state.js';
+import type { Store } from '../../state/store.js';
 import { formatArea } from '../../widgets/area-words.js';
 import { Draft } from '../../widgets/draft.js';
 import { failureWords } from '../../widgets/failure-words.js';
@@ -32,8 +33,6 @@ const smoothings: [number, string][] = [
 
 /** What the panel needs of the page. */
 export interface PartsPage {
-  /** What is shown was changed by hand. */
-  changed(): void;
   /** Other parts than before were found. */
   found(): void;
   /** The surface is to be coloured by parts, or no longer. */
@@ -61,15 +60,16 @@ export class PartsPanel {
   #fields: { igf: Field; sdf: Field; areas: Float64Array } | undefined;
   #thresholds: PartThresholds | undefined;
   #found: Parts | undefined;
-  #pending: PageState = {};
   /** Whether the thresholds are those that are suggested. */
   #isSuggested = true;
   #asked = 0;
   readonly #viewer: GirthViewer;
+  readonly #store: Store;
   readonly #page: PartsPage;
 
-  constructor(viewer: GirthViewer, page: PartsPage) {
+  constructor(viewer: GirthViewer, store: Store, page: PartsPage) {
     this.#viewer = viewer;
+    this.#store = store;
     this.#page = page;
     const [plot, log] = [this.#plot, this.#log];
     log.checked = true;
@@ -146,8 +146,8 @@ export class PartsPanel {
     this.panel.onToggle((isOpen) => {
       if (isOpen) void this.compute();
       else page.colour(false);
-      page.changed();
     });
+    store.watch(['girth', 'diameter', 'smoothing'], (state) => this.#follow(state));
     // Only by hand: a link states itself what colours the surface.
     this.panel.onChosen(() => page.colour(true));
     viewer.addEventListener('unit', () => this.#refresh());
@@ -173,7 +173,6 @@ export class PartsPanel {
     this.#fields = undefined;
     this.#thresholds = undefined;
     this.#found = undefined;
-    this.#pending = {};
     this.#discardDrafts();
     this.#smoothingDraft.show('0');
     this.#controls.hidden = true;
@@ -181,23 +180,21 @@ export class PartsPanel {
     this.#words.textContent = '';
   }
 
-  read(): PageState {
-    const { choice } = this;
-    if (!choice) return this.#pending;
-    const { girth, thickness, smoothing } = choice;
-    return {
-      ...(this.#isSuggested ? {} : { girth, diameter: thickness }),
-      ...(smoothing > 0 ? { smoothing } : {}),
-    };
+  /** The choice as the state has it. */
+  get #chosen(): Pick<PageState, 'girth' | 'diameter' | 'smoothing'> {
+    const { girth, thickness, smoothing } = this.choice!;
+    const own = this.#isSuggested ? undefined : { girth, diameter: thickness };
+    return { girth: own?.girth, diameter: own?.diameter, smoothing: smoothing || undefined };
   }
 
-  apply({ girth, diameter, smoothing }: PageState): void {
-    this.#pending = {};
-    if (girth !== undefined) this.#pending.girth = girth;
-    if (diameter !== undefined) this.#pending.diameter = diameter;
-    if (smoothing !== undefined) this.#pending.smoothing = smoothing;
-    if (this.#fields) void this.#applyPending();
-    else if (this.panel.isOpen) void this.compute();
+  /** Shows the thresholds of the state. */
+  #follow(state: PageState): void {
+    if (this.#fields) {
+      const { girth, diameter, smoothing } = this.choice ? this.#chosen : {};
+      const isShown =
+        girth === state.girth && diameter === state.diameter && smoothing === state.smoothing;
+      if (!this.choice || !isShown) void this.#show(state);
+    } else if (this.panel.isOpen) void this.compute();
   }
 
   /** Computes what thresholds divide, where it is not there yet. */
@@ -220,16 +217,14 @@ export class PartsPanel {
           `${sentence(sdf.note)} No vertex has both a girth and a thickness.`.trim();
         return;
       }
-      await this.#applyPending();
+      await this.#show(this.#store.shown);
     } catch (error) {
       if (viewer.info !== info) return;
       this.#words.textContent = `No parts: ${failureWords(error)}.`;
     }
   }
 
-  async #applyPending(): Promise<void> {
-    const { girth, diameter, smoothing = 0 } = this.#pending;
-    this.#pending = {};
+  async #show({ girth, diameter, smoothing = 0 }: PageState): Promise<void> {
     const asked = ++this.#asked;
     const suggested = await this.#viewer.suggestedThresholds();
     if (asked !== this.#asked) return;
@@ -309,7 +304,7 @@ export class PartsPanel {
       if (asked !== this.#asked) return;
       this.#words.textContent = `${failureWords(error)}.`;
     }
-    this.#page.changed();
+    this.#store.choose(this.#chosen);
   }
 
   #write(): void {

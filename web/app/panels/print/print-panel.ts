@@ -30,6 +30,7 @@ import {
 import { saveFile, stemOf } from '../../export/save-file.js';
 import { type ModelScale, SizeChoice } from '../../model/size-choice.js';
 import { explains } from '../../help/terms.js';
+import type { Store } from '../../state/store.js';
 
 /** Places that get a picture in the list, and in the report. */
 const picturedPlaces = 12;
@@ -76,15 +77,17 @@ export class PrintPanel {
   /** Checks again when the model is there in its other size. */
   #isToBeChecked = false;
   readonly #viewer: GirthViewer;
+  readonly #store: Store;
 
-  constructor(viewer: GirthViewer, model: ModelScale, changed: () => void, coloured: () => void) {
+  constructor(viewer: GirthViewer, store: Store, model: ModelScale, coloured: () => void) {
     this.#hasColoured = coloured;
     this.#viewer = viewer;
+    this.#store = store;
     this.#size = new SizeChoice('print-', viewer, model);
     const ownNumbers = {
       changed: () => {
         this.#showSource('');
-        changed();
+        this.#keep();
       },
     };
     this.#tube = new LengthInput('min-tube', 'Tube diameter ≥', ownNumbers);
@@ -99,7 +102,7 @@ export class PrintPanel {
     this.#presetDraft = new Draft(this.#preset, {
       committed: (name) => {
         this.#choosePreset(name);
-        changed();
+        this.#keep();
       },
     });
     const submit = make('button', { class: 'plain', id: 'check' }, 'Check');
@@ -145,8 +148,8 @@ export class PrintPanel {
     this.panel.onToggle((isOpen) => {
       if (isOpen) this.#refresh();
       this.#colour();
-      changed();
     });
+    store.watch(['tube', 'wall', 'gap', 'printer'], (state) => this.#follow(state));
     viewer.addEventListener('unit', () => this.#changeUnit());
     this.clear(true);
   }
@@ -155,20 +158,23 @@ export class PrintPanel {
     return [this.#tube, this.#wall, this.#gap];
   }
 
-  /** What can be printed, for a link. */
-  read(): Pick<PageState, 'tube' | 'wall' | 'gap' | 'printer'> {
-    const state: ReturnType<PrintPanel['read']> = {};
-    if (this.#tube.length) state.tube = this.#tube.length;
-    if (this.#wall.length) state.wall = this.#wall.length;
-    if (this.#gap.length) state.gap = this.#gap.length;
-    const preset = printPresets.find(({ name }) => name === this.#presetDraft.text);
-    if (preset) state.printer = preset.key;
-    return state;
+  /** What can be printed, as the state has it. */
+  get #limits(): Pick<PageState, 'tube' | 'wall' | 'gap' | 'printer'> {
+    return {
+      tube: this.#tube.length || undefined,
+      wall: this.#wall.length || undefined,
+      gap: this.#gap.length || undefined,
+      printer: printPresets.find(({ name }) => name === this.#presetDraft.text)?.key,
+    };
   }
 
-  /** Takes what a link has; what is there already stays, with its answer. */
-  apply({ tube, wall, gap, printer }: PageState): void {
-    const now = this.read();
+  #keep(): void {
+    this.#store.choose(this.#limits);
+  }
+
+  /** Shows what the state has; what is there already stays, with its answer. */
+  #follow({ tube, wall, gap, printer }: PageState): void {
+    const now = this.#limits;
     if (now.tube === tube && now.wall === wall && now.gap === gap && now.printer === printer)
       return;
     this.#forget();
@@ -207,7 +213,10 @@ export class PrintPanel {
       else input.setUnit(lengthFormat);
     }
     if (isSame) this.#show();
-    else this.#forget();
+    else {
+      this.#forget();
+      this.#keep();
+    }
   }
 
   /** Of the model, as the limits have it. */

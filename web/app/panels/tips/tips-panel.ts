@@ -2,7 +2,7 @@
 
 import { type GirthViewer, formatLength, make } from '../../../src/element/index.js';
 import type { Tips } from '../../../src/kernel/index.js';
-import type { PageState } from '../../state/address-state.js';
+import type { Store } from '../../state/store.js';
 import { formatArea } from '../../widgets/area-words.js';
 import { Draft } from '../../widgets/draft.js';
 import { failureWords } from '../../widgets/failure-words.js';
@@ -16,8 +16,6 @@ const steps = 200;
 
 /** What the panel needs of the page. */
 export interface TipsPage {
-  /** What is shown was changed by hand. */
-  changed(): void;
   /** The tips are known. */
   found(): void;
   /** Colours the surface by thickness, beside the tips, or as before. */
@@ -45,12 +43,13 @@ export class TipsPanel {
   rises: Float64Array | undefined;
   #tips: Tips | undefined;
   #selected: number | undefined;
-  #pending: Pick<PageState, 'tip' | 'jump'> = {};
   readonly #viewer: GirthViewer;
+  readonly #store: Store;
   readonly #page: TipsPage;
 
-  constructor(viewer: GirthViewer, page: TipsPage) {
+  constructor(viewer: GirthViewer, store: Store, page: TipsPage) {
     this.#viewer = viewer;
+    this.#store = store;
     this.#page = page;
     this.#shown.checked = true;
     this.#rivals = new TipRivals(viewer, page);
@@ -89,13 +88,13 @@ export class TipsPanel {
         this.#refresh();
         this.#draw();
       },
-      committed: () => page.changed(),
+      committed: () => store.choose({ jump: this.#leastJump }),
     });
+    store.watch(['tip', 'jump'], () => this.#follow());
     this.panel.onToggle((isOpen) => {
       this.#draw();
       if (isOpen) void this.compute();
       else this.#rivals.clear(this.#tips?.tips.length ?? 0);
-      page.changed();
     });
     viewer.addEventListener('unit', () => this.#refresh());
     this.clear();
@@ -106,28 +105,18 @@ export class TipsPanel {
     this.#tips = undefined;
     this.rises = undefined;
     this.#selected = undefined;
-    this.#pending = {};
     this.#jumpDraft.discard();
     this.#jumpDraft.show('0');
     this.#rivals.clear(0);
     this.#refresh();
   }
 
-  read(): PageState {
-    if (!this.#tips) return this.#pending;
-    const state: PageState = {};
-    if (this.#selected !== undefined) state.tip = this.#selected + 1;
-    if (this.#leastJump > 0) state.jump = this.#leastJump;
-    return state;
-  }
-
-  apply({ tip, jump }: PageState): void {
-    this.#pending = {
-      ...(tip === undefined ? {} : { tip }),
-      ...(jump === undefined ? {} : { jump }),
-    };
-    if (this.#tips) this.#applyPending(true);
-    else if (this.panel.isOpen) void this.compute();
+  /** Shows the tip and the threshold of the state. */
+  #follow(): void {
+    const { tip, jump = 0 } = this.#store.shown;
+    if (!this.#tips) {
+      if (this.panel.isOpen) void this.compute();
+    } else if (tip !== this.#chosen || jump !== this.#leastJump) this.#show(tip !== this.#chosen);
   }
 
   /** Finds the tips, once the girth is there. */
@@ -145,7 +134,7 @@ export class TipsPanel {
       for (const { vertices, jump } of [...tips.tips].reverse()) {
         for (const vertex of vertices) this.rises[vertex] = jump;
       }
-      this.#applyPending(false);
+      this.#show(false);
       this.#rivals.expect(tips.tips.length);
       this.#page.found();
     } catch (error) {
@@ -154,11 +143,18 @@ export class TipsPanel {
     }
   }
 
-  #applyPending(fly: boolean): void {
-    const { tip, jump = 0 } = this.#pending;
+  /** The number of the selected tip, from 1. */
+  get #chosen(): number | undefined {
+    return this.#selected === undefined ? undefined : this.#selected + 1;
+  }
+
+  #show(fly: boolean): void {
+    const { tip, jump = 0 } = this.#store.shown;
     const { tips = [] } = this.#tips!;
     this.#jumpDraft.show(String(this.#highest > 0 ? Math.ceil((steps * jump) / this.#highest) : 0));
     this.#selected = tip !== undefined && tip >= 1 && tip <= tips.length ? tip - 1 : undefined;
+    // A tip that the surface does not have is none.
+    if (tip !== this.#chosen) this.#store.choose({ tip: undefined });
     this.#refresh();
     this.#draw();
     if (fly && this.#selected !== undefined) {
@@ -183,7 +179,7 @@ export class TipsPanel {
     this.#selected = number;
     this.#draw();
     this.#viewer.flyTo({ vertices: tip.vertices });
-    this.#page.changed();
+    this.#store.choose({ tip: number + 1 });
   }
 
   #refresh(): void {
