@@ -353,7 +353,7 @@ viewer.addEventListener('field', (event) => {
   if (share < 1) return;
   void recent.draw();
   void details.compare();
-  void tips.compute();
+  tips.compute();
   limbs.girthIsThere();
   necks.girthIsThere();
 });

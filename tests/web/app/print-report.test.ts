@@ -1,9 +1,6 @@
 import { expect, test } from 'vitest';
-import {
-  type PrintReport,
-  answerWords,
-  printReportHtml,
-} from '../../../web/app/panels/print/print-report.js';
+import { type PrintReport, printReportHtml } from '../../../web/app/panels/print/print-report.js';
+import { answerWords } from '../../../web/app/panels/print/print-words.js';
 import type { WeakPlace } from '../../../web/src/kernel/index.js';
 
 const tube: WeakPlace = {

@@ -46,6 +46,8 @@ export class Session {
   opened: Opened | undefined;
   /** What will be shown when the element has it. */
   #next: Opened | undefined;
+  /** What is being read. */
+  #reading: Opened | undefined;
   /** Files that were dropped or chosen on this visit, by the names that links have for them. */
   readonly #files = new Map<string, Opened>();
   readonly #viewer: GirthViewer;
@@ -74,13 +76,15 @@ export class Session {
    */
   async open(wanted: Opened, asked = this.ask()): Promise<boolean> {
     this.#latest = asked;
-    this.#next = wanted;
+    this.#next = this.#reading = wanted;
     const { source, model, prepare } = wanted;
     const options = model === undefined ? { prepare } : { prepare, model };
-    return this.#viewer.load(source, options).then(
+    const isOpen = await this.#viewer.load(source, options).then(
       () => true,
       () => false,
     );
+    if (this.#reading === wanted) this.#reading = undefined;
+    return isOpen;
   }
 
   /** Whether the surface can be remeshed: otherwise the model must be read again before. */
@@ -201,8 +205,8 @@ export class Session {
     return state;
   }
 
-  /** Whether what is shown is what a link names, prepared in the same way. */
+  /** Whether what is shown, and stays, is what a link names, prepared in the same way. */
   isOf(state: PageState): boolean {
-    return isOfSurface(this.read(), state);
+    return !this.#reading && isOfSurface(this.read(), state);
   }
 }

@@ -19,14 +19,8 @@ import { modelFacts, plural } from '../../model/model-words.js';
 import { Panel } from '../../widgets/panel.js';
 import { PlaceList } from '../../widgets/place-list.js';
 import { printPresets } from './print-presets.js';
-import {
-  type PrintReport,
-  type ReportedPlace,
-  answerWords,
-  measureNames,
-  printReportHtml,
-  uncheckedWords,
-} from './print-report.js';
+import type { PrintReport, ReportedPlace } from './print-report.js';
+import { answerWords, measureNames, uncheckedWords } from './print-words.js';
 import { saveFile, stemOf } from '../../export/save-file.js';
 import { type ModelScale, SizeChoice } from '../../model/size-choice.js';
 import { explains } from '../../help/terms.js';
@@ -464,6 +458,7 @@ export class PrintPanel {
         overview: await this.#overview(info),
         date: new Date().toISOString().slice(0, 10),
       };
+      const { printReportHtml } = await import('./print-report.js');
       saveFile(printReportHtml(report), name);
     } catch (error) {
       this.#answer.textContent = `That could not be written: ${failureWords(error)}.`;

@@ -6,6 +6,7 @@ import { Draft } from '../../widgets/draft.js';
 import { failureWords } from '../../widgets/failure-words.js';
 import { plural } from '../../model/model-words.js';
 import { PlaceList } from '../../widgets/place-list.js';
+import { Resource } from '../../results/resource.js';
 import { plainNumber } from '../../widgets/table-text.js';
 
 /** `sdf` colours the surface; the others are points. */
@@ -42,10 +43,9 @@ export class TipRivals {
   readonly #countLine: HTMLElement;
   readonly #words = make('p', { class: 'hint', role: 'status' });
   readonly #list = new PlaceList('Points beside the tips');
-  #found: { rival: Rival; extrema: Extremum[] } | undefined;
+  readonly #extrema: Resource<Extremum[]>;
   /** Whether the surface is coloured by thickness for this. */
   #isColoured = false;
-  #asked = 0;
   readonly #viewer: GirthViewer;
   readonly #page: RivalsPage;
 
@@ -54,7 +54,11 @@ export class TipRivals {
     this.#page = page;
     const [choice, count] = [this.#choice, this.#count];
     choice.append(...rivals.map(([value, words]) => make('option', { value }, words)));
-    this.#choiceDraft = new Draft(choice, { committed: () => void this.#choose() });
+    this.#choiceDraft = new Draft(choice, { committed: () => this.#choose() });
+    this.#extrema = new Resource<Extremum[]>({
+      find: () => this.#find(),
+      changed: () => this.#draw(),
+    });
     this.#countDraft = new Draft(count, {
       edited: () => this.#draw(),
       ended: () => this.#draw(),
@@ -76,12 +80,11 @@ export class TipRivals {
 
   /** Another model, or the panel is closed; `tips`: so many points are as many as the tips. */
   clear(tips: number): void {
-    ++this.#asked;
+    this.#extrema.drop();
     this.#colour(false);
     this.#choiceDraft.discard();
     this.#choiceDraft.show('');
     this.#countDraft.discard();
-    this.#found = undefined;
     this.expect(tips);
     this.#draw();
   }
@@ -97,42 +100,46 @@ export class TipRivals {
     this.#page.colour(bySdf);
   }
 
-  async #choose(): Promise<void> {
-    const viewer = this.#viewer;
-    const rival = this.#choiceDraft.text as Rival;
-    const asked = ++this.#asked;
-    this.#found = undefined;
+  get #rival(): Rival {
+    return this.#choiceDraft.text as Rival;
+  }
+
+  #choose(): void {
+    const rival = this.#rival;
+    this.#extrema.drop();
     this.#draw();
     this.#colour(rival === 'sdf');
-    if (rival === '' || rival === 'sdf') return;
-    this.#words.textContent = 'Computing the points …';
-    try {
-      const extrema =
-        rival === 'heat'
-          ? ofKind(await viewer.heatMaxima(), false)
-          : [
-              ...ofKind(await viewer.maxima(rival), false),
-              ...ofKind(await viewer.maxima(rival, { minima: true }), true),
-            ];
-      if (asked !== this.#asked) return;
-      extrema.sort((a, b) => b.persistence - a.persistence);
-      this.#found = { rival, extrema };
-      this.#draw();
-    } catch (error) {
-      if (asked !== this.#asked) return;
-      this.#words.textContent = `Not found: ${failureWords(error)}.`;
-    }
+    if (rival !== '' && rival !== 'sdf') this.#extrema.want([this.#viewer.info, rival]);
+  }
+
+  async #find(): Promise<Extremum[]> {
+    const viewer = this.#viewer;
+    const extrema =
+      this.#rival === 'geoaverage'
+        ? [
+            ...ofKind(await viewer.maxima('geoaverage'), false),
+            ...ofKind(await viewer.maxima('geoaverage', { minima: true }), true),
+          ]
+        : ofKind(await viewer.heatMaxima(), false);
+    return extrema.sort((a, b) => b.persistence - a.persistence);
+  }
+
+  get #said(): string {
+    const { status } = this.#extrema;
+    if (status.is === 'pending') return 'Computing the points …';
+    if (status.is === 'failed') return `Not found: ${failureWords(status.error)}.`;
+    return status.is === 'done' ? inAll(status.found) : '';
   }
 
   #draw(): void {
-    const [found, viewer] = [this.#found, this.#viewer];
+    const [{ found }, viewer] = [this.#extrema, this.#viewer];
     const wanted = Math.min(most, Math.max(0, Math.floor(Number(this.#countDraft.text)) || 0));
-    const shown = found?.extrema.slice(0, wanted) ?? [];
+    const shown = found?.slice(0, wanted) ?? [];
     if (viewer.info) viewer.showPoints(shown.map(({ vertex }) => vertex));
     this.#countLine.hidden = !found;
-    this.#words.textContent = found ? inAll(found.extrema) : '';
+    this.#words.textContent = this.#said;
     const words = ({ persistence }: Maximum): string =>
-      found?.rival === 'geoaverage'
+      this.#rival === 'geoaverage'
         ? formatLength(persistence, viewer.formatOf('geoaverage'))
         : plainNumber(persistence, 3);
     this.#list.show(
@@ -144,7 +151,7 @@ export class TipRivals {
     );
     this.#list.element.setAttribute(
       'aria-label',
-      found?.rival === 'geoaverage' ? `Extrema: ${fieldTitle('geoaverage')}` : 'Heat maxima',
+      this.#rival === 'geoaverage' ? `Extrema: ${fieldTitle('geoaverage')}` : 'Heat maxima',
     );
   }
 }

@@ -10,6 +10,7 @@ import { plural } from '../../model/model-words.js';
 import { Panel } from '../../widgets/panel.js';
 import { PlaceList } from '../../widgets/place-list.js';
 import { term } from '../../help/terms.js';
+import { Resource, type Status } from '../../results/resource.js';
 import { TipRivals } from './tip-rivals.js';
 
 const steps = 200;
@@ -41,7 +42,7 @@ export class TipsPanel {
   readonly #words = make('p', { id: 'tips-words', class: 'hint', role: 'status' });
   /** How far the girth rises at the tip that each vertex is in, 0 elsewhere. */
   rises: Float64Array | undefined;
-  #tips: Tips | undefined;
+  readonly #tips: Resource<Tips>;
   #selected: number | undefined;
   readonly #viewer: GirthViewer;
   readonly #store: Store;
@@ -53,6 +54,10 @@ export class TipsPanel {
     this.#page = page;
     this.#shown.checked = true;
     this.#rivals = new TipRivals(viewer, page);
+    this.#tips = new Resource<Tips>({
+      find: () => viewer.tips(),
+      changed: (status) => this.#changed(status),
+    });
     this.panel.body.append(
       make(
         'p',
@@ -93,8 +98,8 @@ export class TipsPanel {
     store.watch(['tip', 'jump'], () => this.#follow());
     this.panel.onToggle((isOpen) => {
       this.#draw();
-      if (isOpen) void this.compute();
-      else this.#rivals.clear(this.#tips?.tips.length ?? 0);
+      if (isOpen) this.compute();
+      else this.#rivals.clear(this.#tips.found?.tips.length ?? 0);
     });
     viewer.addEventListener('unit', () => this.#refresh());
     this.clear();
@@ -102,8 +107,7 @@ export class TipsPanel {
 
   /** Another model. */
   clear(): void {
-    this.#tips = undefined;
-    this.rises = undefined;
+    this.#tips.drop();
     this.#selected = undefined;
     this.#jumpDraft.discard();
     this.#jumpDraft.show('0');
@@ -114,33 +118,36 @@ export class TipsPanel {
   /** Shows the tip and the threshold of the state. */
   #follow(): void {
     const { tip, jump = 0 } = this.#store.shown;
-    if (!this.#tips) {
-      if (this.panel.isOpen) void this.compute();
+    if (!this.#tips.found) {
+      if (this.panel.isOpen) this.compute();
     } else if (tip !== this.#chosen || jump !== this.#leastJump) this.#show(tip !== this.#chosen);
   }
 
-  /** Finds the tips, once the girth is there. */
-  async compute(): Promise<void> {
-    const viewer = this.#viewer;
-    const { info } = viewer;
-    if (!info || this.#tips) return;
-    this.#words.textContent = 'Tips follow as soon as the girth is computed …';
-    try {
-      const tips = await viewer.tips();
-      if (viewer.info !== info) return;
-      this.#tips = tips;
-      this.rises = new Float64Array(info.vertexCount);
+  /** Finds the tips of the girth that is shown, once that is there. */
+  compute(): void {
+    const { info } = this.#viewer;
+    const { persistence, method } = this.#store.shown;
+    if (info) this.#tips.want([info, persistence, method]);
+  }
+
+  #changed(status: Status<Tips>): void {
+    this.rises = undefined;
+    if (status.is === 'done') {
+      const { tips } = status.found;
+      this.rises = new Float64Array(this.#viewer.info!.vertexCount);
       // The largest last: a vertex in several tips has the rise of the highest.
-      for (const { vertices, jump } of [...tips.tips].reverse()) {
+      for (const { vertices, jump } of [...tips].reverse()) {
         for (const vertex of vertices) this.rises[vertex] = jump;
       }
       this.#show(false);
-      this.#rivals.expect(tips.tips.length);
+      this.#rivals.expect(tips.length);
       this.#page.found();
-    } catch (error) {
-      if (viewer.info !== info) return;
-      this.#words.textContent = `No tips: ${failureWords(error)}.`;
+      return;
     }
+    this.#refresh();
+    if (status.is === 'pending')
+      this.#words.textContent = 'Tips follow as soon as the girth is computed …';
+    if (status.is === 'failed') this.#words.textContent = `No tips: ${failureWords(status.error)}.`;
   }
 
   /** The number of the selected tip, from 1. */
@@ -150,7 +157,7 @@ export class TipsPanel {
 
   #show(fly: boolean): void {
     const { tip, jump = 0 } = this.#store.shown;
-    const { tips = [] } = this.#tips!;
+    const { tips } = this.#tips.found!;
     this.#jumpDraft.show(String(this.#highest > 0 ? Math.ceil((steps * jump) / this.#highest) : 0));
     this.#selected = tip !== undefined && tip >= 1 && tip <= tips.length ? tip - 1 : undefined;
     // A tip that the surface does not have is none.
@@ -163,10 +170,8 @@ export class TipsPanel {
   }
 
   get #highest(): number {
-    return Math.max(
-      0,
-      ...[...(this.#tips?.tips ?? []), ...(this.#tips?.arcs ?? [])].map(({ jump }) => jump),
-    );
+    const { found } = this.#tips;
+    return Math.max(0, ...[...(found?.tips ?? []), ...(found?.arcs ?? [])].map(({ jump }) => jump));
   }
 
   get #leastJump(): number {
@@ -175,7 +180,7 @@ export class TipsPanel {
   }
 
   #choose(number: number): void {
-    const tip = this.#tips!.tips[number]!;
+    const tip = this.#tips.found!.tips[number]!;
     this.#selected = number;
     this.#draw();
     this.#viewer.flyTo({ vertices: tip.vertices });
@@ -183,7 +188,7 @@ export class TipsPanel {
   }
 
   #refresh(): void {
-    const [made, viewer] = [this.#tips, this.#viewer];
+    const [made, viewer] = [this.#tips.found, this.#viewer];
     const { panel } = this;
     const format = viewer.lengthFormat;
     const leastJump = this.#leastJump;
@@ -230,7 +235,7 @@ export class TipsPanel {
 
   /** Lines and tints on the surface, while the panel is open. */
   #draw(): void {
-    const [tips, viewer, selected] = [this.#tips, this.#viewer, this.#selected];
+    const [tips, viewer, selected] = [this.#tips.found, this.#viewer, this.#selected];
     if (!tips) return;
     const shown = this.panel.isOpen && this.#shown.checked;
     void viewer.showTips({
