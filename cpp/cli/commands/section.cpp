@@ -13,7 +13,10 @@
 
 #include "commands/common_options.h"
 #include "commands/measure.h"
+#include "commands/section_landmarks.h"
 #include "commands/table.h"
+#include "girth/io/result_csv.h"
+#include "girth/io/result_json.h"
 #include "girth/io/write_section.h"
 #include "model/computing.h"
 #include "model/typed_point.h"
@@ -34,6 +37,13 @@ struct Options : MeasuringOptions {
   std::optional<TypedPoint> through;
   std::optional<std::int64_t> levels;
   std::string every;
+  bool across{false};
+  bool widest{false};
+  bool narrowest{false};
+  bool byTape{false};
+  /// As typed: two lengths.
+  std::string within;
+  std::string landmarks;
 };
 
 /// Reads an axis (x, y, z, -x, -y or -z), or three numbers with commas between. Returns what is
@@ -69,7 +79,7 @@ std::vector<double> evenly(const HeightRange& range, double count) {
 
 /// Where the planes lie.
 Result<std::vector<double>> offsetsOf(const Options& options, const io::LoadedMesh& loaded,
-                                      const Vec3& normal, const HeightRange& range) {
+                                      const HeightRange& range) {
   if (options.levels) return evenly(range, static_cast<double>(*options.levels));
   if (!options.every.empty()) {
     double step = 0;
@@ -85,15 +95,6 @@ Result<std::vector<double>> offsetsOf(const Options& options, const io::LoadedMe
     for (double i = first; i <= last; ++i) offsets.push_back(i * step);
     return offsets;
   }
-  if (options.through) {
-    const auto point = surfacePoint(loaded, *options.through, options.model, options.preparing);
-    if (!point) return point.error();
-    const Vec3 place = positionOf(loaded.mesh, point.value());
-    const double length =
-        std::sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
-    return std::vector<double>{(normal.x * place.x + normal.y * place.y + normal.z * place.z) /
-                               length};
-  }
   std::vector<double> offsets;
   for (const std::string& text : options.heights) {
     if (auto error = readLength(text, loaded.unit, offsets.emplace_back())) {
@@ -103,14 +104,71 @@ Result<std::vector<double>> offsetsOf(const Options& options, const io::LoadedMe
   return offsets.empty() ? evenly(range, 1) : offsets;
 }
 
+/// The typed range; the whole of it where none was typed.
+Result<HeightRange> typedRange(const Options& options, const io::LoadedMesh& loaded,
+                               const HeightRange& whole) {
+  if (options.within.empty()) return whole;
+  HeightRange range;
+  const std::size_t comma = options.within.find(',');
+  if (comma == std::string::npos || comma == 0 || comma + 1 == options.within.size()) {
+    return usageError("--within " + options.within + " is no range",
+                      "type two heights, as in 0.9m,1.2m");
+  }
+  if (auto error = readLength(options.within.substr(0, comma), loaded.unit, range.low)) {
+    return *std::move(error);
+  }
+  if (auto error = readLength(options.within.substr(comma + 1), loaded.unit, range.high)) {
+    return *std::move(error);
+  }
+  return range;
+}
+
+Sections only(Section section) {
+  Sections sections;
+  sections.sections.push_back(std::move(section));
+  return sections;
+}
+
+/// The plane through a point, across the limb or tube there or with the usual normal.
+Result<Sections> throughPoint(const Options& options, const io::LoadedMesh& loaded,
+                              const Vec3& direction) {
+  const auto point = surfacePoint(loaded, *options.through, options.model, options.preparing);
+  if (!point) return point.error();
+  const auto normal =
+      options.across ? directionAlong(loaded.mesh, point.value()) : Result<Vec3>(direction);
+  if (!normal) return normal.error();
+  const auto offset = heightOf(loaded.mesh, normal.value(), point.value());
+  if (!offset) return offset.error();
+  auto section = findSection(loaded.mesh, normal.value(), offset.value());
+  if (!section) return section.error();
+  return only(std::move(section).value());
+}
+
+Result<Sections> extreme(const Options& options, const io::LoadedMesh& loaded,
+                         const Vec3& direction, const HeightRange& whole) {
+  const auto range = typedRange(options, loaded, whole);
+  if (!range) return range.error();
+  auto section = extremeSection(loaded.mesh, direction, range.value(),
+                                options.widest ? SectionExtreme::Widest : SectionExtreme::Narrowest,
+                                options.byTape ? SectionMeasure::Tape : SectionMeasure::Perimeter,
+                                {options.threads, nullptr, {}});
+  if (!section) return section.error();
+  return only(std::move(section).value());
+}
+
 Result<Sections> compute(const Options& options, const io::LoadedMesh& loaded) {
   const Vec3 direction = options.along.value_or(usualDirection(loaded));
   const auto range = heightRange(loaded.mesh, direction);
   if (!range) return usageError("--along 0,0,0 is no direction", "type x, y, z or as 0,0.5,1");
-  const auto offsets = offsetsOf(options, loaded, direction, range.value());
-  if (!offsets) return offsets.error();
-  const auto found =
-      findSections(loaded.mesh, direction, offsets.value(), {options.threads, nullptr, {}});
+  const auto found = [&]() -> Result<Sections> {
+    if (options.through && options.every.empty()) return throughPoint(options, loaded, direction);
+    if (options.widest || options.narrowest) {
+      return extreme(options, loaded, direction, range.value());
+    }
+    const auto offsets = offsetsOf(options, loaded, range.value());
+    if (!offsets) return offsets.error();
+    return findSections(loaded.mesh, direction, offsets.value(), {options.threads, nullptr, {}});
+  }();
   if (!found) return found.error();
   bool isAny = false;
   for (const Section& section : found.value().sections) isAny = isAny || !section.curves.empty();
@@ -152,6 +210,40 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Sec
   printUnits(loaded.unit);
 }
 
+void printMeasures(const std::string& model, const io::LoadedMesh& loaded,
+                   const NamedMeasures& found) {
+  std::printf("%s: %zu measure%s\n", model.c_str(), found.measures.size(),
+              found.measures.size() == 1 ? "" : "s");
+  for (const NamedMeasure& measure : found.measures) {
+    std::printf("  %12s  %-8s  %s\n", readable(measure.length).c_str(),
+                std::string(toString(measure.how)).c_str(), measure.name.c_str());
+  }
+  printUnits(loaded.unit);
+}
+
+/// The measures at the landmarks of a file.
+int measureNamed(const Options& options) {
+  const auto refuse = [](const io::LoadedMesh&, const NamedMeasures&) -> Result<std::string> {
+    return usageError("measures at landmarks are no lines", "write them as .json or .csv");
+  };
+  const Writers<NamedMeasures> writers{
+      {{".csv", io::resultCsv<NamedMeasures>}, {".obj", refuse}, {".glb", refuse}},
+      [&](const io::LoadedMesh& loaded, const NamedMeasures& found) {
+        return io::resultJson(loaded, found, options.model);
+      },
+      [&](const io::LoadedMesh& loaded, const NamedMeasures& found) {
+        printMeasures(options.model, loaded, found);
+      }};
+  return measure<NamedMeasures>(
+      options,
+      [&](const io::LoadedMesh& loaded) {
+        return measureLandmarks(options.landmarks, loaded,
+                                options.along.value_or(usualDirection(loaded)), options.model,
+                                options.preparing);
+      },
+      writers);
+}
+
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
   const Writers<Sections> writers{
@@ -181,6 +273,26 @@ Run add(OptionTable& table) {
           },
           "The plane passes a vertex, by its number, or a point of a face, FACE:U,V,W")
       .excludes("--at-height");
+  table
+      .add("--across", options->across,
+           "The plane through the point is perpendicular to the limb or tube there: to the normal "
+           "of the mean plane of the point's girth loop")
+      .needs("--through");
+  table.add("--widest", options->widest, "The plane with the greatest perimeter")
+      .excludes("--narrowest");
+  table
+      .add("--narrowest", options->narrowest,
+           "The plane with the least perimeter, of those that meet the surface")
+      .needs("--within");
+  table.add("--within LOW,HIGH", options->within,
+            "The heights between which it is looked for, as in 0.9m,1.2m");
+  table.add("--by-tape", options->byTape,
+            "--widest and --narrowest compare one tape round all curves of a plane, not the sum of "
+            "their perimeters");
+  table.add(
+      "--landmarks FILE", options->landmarks,
+      "Named measures: a JSON array of objects with name, point (12, or \"7:0.2,0.3,0.5\"), how "
+      "(girth, section, tape or distance), to (of a distance), across (true or false)");
   table.add("--levels N", options->levels, "So many planes, evenly over the whole height")
       .range(1, static_cast<double>(kMostPlanes))
       .excludes("--through");
@@ -193,10 +305,13 @@ Run add(OptionTable& table) {
   table.example("girth section body.glb --at-height 1.05m", "The waist: girth, tape and area.");
   table.example("girth section vessel.stl --unit mm --every 5mm -o sections.csv",
                 "Perimeter and area, a row for each curve.");
+  table.example("girth section body.glb --narrowest --within 0.9m,1.2m --by-tape",
+                "The waist, wherever it is between two heights.");
   table.note("Tape",
              "A tape measure spans hollows: the perimeter of the curve's convex hull. The girth of "
              "a point (girth loop) is a third answer: it need not lie in a plane.");
   return [options, writers] {
+    if (!options->landmarks.empty()) return measureNamed(*options);
     return measure(
         *options, [&](const io::LoadedMesh& loaded) { return compute(*options, loaded); }, writers);
   };

@@ -3,6 +3,7 @@
 // GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -93,8 +94,8 @@ GIRTH_EXPORT Result<HeightRange> heightRange(const SurfaceMesh& mesh, const Vec3
 /// lies round it and another curve of the section lies round that. Curves of bodies that overlap
 /// are measured one by one.
 ///
-/// On polyhedra the measures are exact to rounding. Time: O(n m + c log c) for n faces, m planes
-/// and c crossed edges, on all threads; the same result for any number of them. Errors:
+/// On polyhedra the measures are exact to rounding. Time: O(n log m + c log c) for n faces, m
+/// planes and c crossed edges, on all threads; the same result for any number of them. Errors:
 /// INVALID_OPTION (a normal without length, an offset that is not finite), CANCELLED.
 GIRTH_EXPORT Result<Sections> findSections(const SurfaceMesh& mesh, const Vec3& normal,
                                            std::span<const double> offsets,
@@ -103,5 +104,40 @@ GIRTH_EXPORT Result<Sections> findSections(const SurfaceMesh& mesh, const Vec3& 
 /// The section with one plane. The same errors.
 GIRTH_EXPORT Result<Section> findSection(const SurfaceMesh& mesh, const Vec3& normal,
                                          double offset);
+
+/// Where a surface has the most or the least of a measure.
+enum class SectionExtreme : std::uint8_t {
+  Widest,     ///< most
+  Narrowest,  ///< least, of planes that meet the surface
+};
+
+/// A measure of a section.
+enum class SectionMeasure : std::uint8_t {
+  Perimeter,  ///< `Section::perimeter`
+  Tape,       ///< `Section::tape`
+};
+
+/// The section in which a measure is greatest or least, of all planes of one normal in a range of
+/// offsets. Between the heights of two vertices the perimeter is linear in the offset, and the tape
+/// convex: the greatest, and the least perimeter, are at such a height, just above one (by 2e-12 of
+/// the greatest coordinate), or at an end of the range; the least tape is found between them, by
+/// golden sections. Of equal ones the lowest. Time: O(c log c) for
+/// the edges that planes at all heights of vertices cross, on all threads; the same result for any
+/// number of them. Errors: INVALID_OPTION (a normal without length, no range, or no plane of it
+/// that meets the surface), CANCELLED.
+GIRTH_EXPORT Result<Section> extremeSection(const SurfaceMesh& mesh, const Vec3& normal,
+                                            const HeightRange& range, SectionExtreme extreme,
+                                            SectionMeasure measure = SectionMeasure::Perimeter,
+                                            const ExecutionContext& context = {});
+
+/// The offset of the plane through a point: normal · x in model units, where the normal has length
+/// 1 (it may be given with any length but 0). Error: INVALID_OPTION.
+GIRTH_EXPORT Result<double> heightOf(const SurfaceMesh& mesh, const Vec3& normal,
+                                     const SurfacePoint& point);
+
+/// Along the limb or tube at a point, of length 1: the normal of the mean plane of the girth loop
+/// there (web/docs/definitions.md, section 5). Errors: VERTEX_OUT_OF_RANGE, INVALID_POINT, also
+/// where no loop encloses an area.
+GIRTH_EXPORT Result<Vec3> directionAlong(const SurfaceMesh& mesh, const SurfacePoint& point);
 
 }  // namespace girth

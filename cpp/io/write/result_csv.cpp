@@ -15,6 +15,13 @@ void CsvRow::operator()(std::string_view, double number) {
   add(std::isfinite(number) ? formatNumber(number) : std::string());
 }
 
+void CsvRow::operator()(std::string_view, std::string_view word) {
+  if (word.find_first_of(",\"\r\n") == std::string_view::npos) return add(word);
+  std::string quoted = "\"";
+  for (const char c : word) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  add(quoted + "\"");
+}
+
 void CsvRow::operator()(std::string_view, Vertex vertex) {
   const Index input = vertex == Vertex::none ? kNoIndex : loaded_->inputOfVertex[vertex];
   add(input == kNoIndex ? std::string() : std::to_string(input));

@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "analysis/convex_hull.h"
 #include "analysis/plane_frame.h"
+#include "girth/girth_solver.h"
 #include "girth/parallel.h"
 #include "girth/shape_diameter.h"
 #include "infinity.h"
 #include "mesh/angles.h"
+#include "mesh/level_walk.h"
 #include "mesh/vector.h"
 
 namespace girth {
@@ -21,8 +24,10 @@ namespace {
 constexpr double kInPlane = 1e-12;
 /// An area of less than this share of the squared perimeter has no sign.
 constexpr double kNoArea = 1e-14;
-/// So many planes are cut by one thread at a time: it looks for their faces in one pass.
+/// So many planes are cut by one thread at a time, with one list of the faces that it has visited.
 constexpr std::size_t kPlanesAtOnce = 16;
+/// So many are measured by one thread at a time.
+constexpr std::size_t kMeasuredAtOnce = 256;
 
 /// The vector with length 1; nothing where its length is 0 or not finite.
 std::optional<Vec3> unitVector(const Vec3& normal) {
@@ -55,6 +60,16 @@ bool isInside(const Point2& p, const std::vector<Point2>& polygon) {
   return isIn;
 }
 
+/// The faces that planes cross, those of plane k from starts[k] to starts[k + 1].
+struct CrossedFaces {
+  std::span<const Face> of(std::size_t plane) const {
+    return std::span(faces).subspan(starts[plane], starts[plane + 1] - starts[plane]);
+  }
+
+  std::vector<std::size_t> starts;
+  std::vector<Face> faces;
+};
+
 /// The sections with planes of one normal.
 class SectionCutter {
  public:
@@ -74,47 +89,78 @@ class SectionCutter {
     }
   }
 
-  /// The sections at some offsets, in the order of these.
-  void cut(std::span<const double> offsets, std::span<Section> result) const {
-    std::vector<std::vector<Face>> crossed(offsets.size());
+  /// The height of each vertex along the normal.
+  const std::vector<double>& heights() const { return heights_; }
+  /// A vertex nearer to a plane than this lies in it.
+  double slack() const { return slack_; }
+
+  /// The faces that each of some planes crosses, in the order of the faces. `offsets`: rising.
+  CrossedFaces crossedBy(std::span<const double> offsets) const {
+    std::vector<double> levels;
+    for (const double offset : offsets) levels.push_back(offset - slack_);
+    const auto between = [&](Face f) {
+      const auto first = std::upper_bound(levels.begin(), levels.end(), ranges_[f].first);
+      const auto last = std::upper_bound(first, levels.end(), ranges_[f].second);
+      return std::pair(static_cast<std::size_t>(first - levels.begin()),
+                       static_cast<std::size_t>(last - levels.begin()));
+    };
+    CrossedFaces crossed;
+    crossed.starts.assign(levels.size() + 1, 0);
     for (const Face f : mesh_.faces()) {
-      for (std::size_t k = 0; k < offsets.size(); ++k) {
-        const double level = offsets[k] - slack_;
-        if (ranges_[f].first < level && ranges_[f].second >= level) crossed[k].push_back(f);
+      const auto [first, last] = between(f);
+      for (std::size_t k = first; k < last; ++k) ++crossed.starts[k + 1];
+    }
+    std::partial_sum(crossed.starts.begin(), crossed.starts.end(), crossed.starts.begin());
+    crossed.faces.resize(crossed.starts.back());
+    std::vector<std::size_t> next(crossed.starts.begin(), crossed.starts.end() - 1);
+    for (const Face f : mesh_.faces()) {
+      const auto [first, last] = between(f);
+      for (std::size_t k = first; k < last; ++k) crossed.faces[next[k]++] = f;
+    }
+    return crossed;
+  }
+
+  /// The section at an offset. `visited`: for each face a stamp that differs from this one.
+  Section cut(double offset, std::span<const Face> crossed, std::size_t stamp,
+              std::vector<std::size_t>& visited) const {
+    Section section;
+    section.normal = normal_;
+    section.offset = offset;
+    for (const Face f : crossed) {
+      if (visited[f] == stamp) continue;
+      if (auto curve = follow(f, offset, stamp, visited)) {
+        section.curves.push_back(std::move(*curve));
       }
     }
-    std::vector<std::size_t> visited(mesh_.faceCount(), 0);
-    for (std::size_t k = 0; k < offsets.size(); ++k) {
-      result[k].normal = normal_;
-      result[k].offset = offsets[k];
-      for (const Face f : crossed[k]) {
-        if (visited[f] == k + 1) continue;
-        if (auto curve = follow(f, offsets[k], k + 1, visited)) {
-          result[k].curves.push_back(std::move(*curve));
-        }
+    measure(section);
+    return section;
+  }
+
+  /// A measure of a section, without its curves.
+  double measured(SectionMeasure measure, double offset, std::span<const Face> crossed) const {
+    if (crossed.empty()) return 0;
+    const LevelWalk walk = walkAt(offset);
+    double perimeter = 0;
+    std::vector<Point2> corners;
+    for (const Face f : crossed) {
+      const Vec3 from = positionOf(mesh_, pointOn(walk.sideOf(f, false), offset)),
+                 to = positionOf(mesh_, pointOn(walk.sideOf(f, true), offset));
+      perimeter += norm(to - from);
+      if (measure == SectionMeasure::Tape) {
+        corners.push_back(frame_.flat(from));
+        corners.push_back(frame_.flat(to));
       }
-      measure(result[k]);
     }
+    return measure == SectionMeasure::Tape ? perimeterOf(convexHull(std::move(corners)))
+                                           : perimeter;
   }
 
  private:
-  bool isBelow(Vertex v, double offset) const { return heights_[v] < offset - slack_; }
-  bool rises(Halfedge h, double offset) const {
-    return isBelow(mesh_.from(h), offset) && !isBelow(mesh_.to(h), offset);
-  }
-  /// The side of a crossed face that rises, or falls.
-  Halfedge sideOf(Face face, double offset, bool isRising) const {
-    for (Index k = 0; k < 3; ++k) {
-      const Halfedge h = SurfaceMesh::side(face, k);
-      const bool isAbove = !isBelow(mesh_.from(h), offset);
-      if (isAbove != isRising && isBelow(mesh_.to(h), offset) != isRising) return h;
-    }
-    return Halfedge::none;
-  }
+  LevelWalk walkAt(double offset) const { return {mesh_, heights_, offset - slack_}; }
 
   /// Where the plane crosses an edge that rises or falls. Both halfedges give one place.
   SurfacePoint pointOn(Halfedge h, double offset) const {
-    const bool isRising = rises(h, offset);
+    const bool isRising = walkAt(offset).rises(h);
     const Vertex low = isRising ? mesh_.from(h) : mesh_.to(h),
                  high = isRising ? mesh_.to(h) : mesh_.from(h);
     const double above = heights_[high] - offset, below = offset - heights_[low];
@@ -126,6 +172,7 @@ class SectionCutter {
   /// The curve through a face; nothing where it is a single point.
   std::optional<SectionCurve> follow(Face start, double offset, std::size_t stamp,
                                      std::vector<std::size_t>& visited) const {
+    const LevelWalk walk = walkAt(offset);
     SectionCurve curve;
     curve.component = mesh_.componentOf(mesh_.faceVertices(start)[0]);
     std::vector<SurfacePoint>& points = curve.points;
@@ -137,16 +184,16 @@ class SectionCutter {
     // Back to where it comes from: to the boundary, or round to the face again.
     Face first = start;
     for (;;) {
-      const Halfedge twin = mesh_.twin(sideOf(first, offset, false));
+      const Halfedge twin = mesh_.twin(walk.sideOf(first, false));
       curve.closed = twin != Halfedge::none;
       if (!curve.closed || SurfaceMesh::faceOf(twin) == start) break;
       first = SurfaceMesh::faceOf(twin);
     }
     if (curve.closed) first = start;
-    add(pointOn(sideOf(first, offset, false), offset));
+    add(pointOn(walk.sideOf(first, false), offset));
     for (Face f = first;;) {
       visited[f] = stamp;
-      const Halfedge out = sideOf(f, offset, true), twin = mesh_.twin(out);
+      const Halfedge out = walk.sideOf(f, true), twin = mesh_.twin(out);
       if (twin != Halfedge::none && SurfaceMesh::faceOf(twin) == first) break;
       add(pointOn(out, offset));
       if (twin == Halfedge::none) break;
@@ -286,12 +333,22 @@ Result<Sections> findSections(const SurfaceMesh& mesh, const Vec3& normal,
     }
   }
   const SectionCutter cutter(mesh, *unit);
+  std::vector<std::size_t> order(offsets.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
+    return offsets[one] < offsets[other];
+  });
+  std::vector<double> rising;
+  for (const std::size_t place : order) rising.push_back(offsets[place]);
+  const CrossedFaces crossed = cutter.crossedBy(rising);
   Sections result;
   result.sections.resize(offsets.size());
   const bool isDone =
       parallelFor(offsets.size(), kPlanesAtOnce, context, [&](std::size_t begin, std::size_t end) {
-        cutter.cut(offsets.subspan(begin, end - begin),
-                   std::span(result.sections).subspan(begin, end - begin));
+        std::vector<std::size_t> visited(mesh.faceCount(), 0);
+        for (std::size_t k = begin; k < end; ++k) {
+          result.sections[order[k]] = cutter.cut(rising[k], crossed.of(k), k + 1, visited);
+        }
       });
   if (!isDone) return makeError(ErrorCode::Cancelled, -1, "the sections were cancelled");
   return result;
@@ -301,6 +358,159 @@ Result<Section> findSection(const SurfaceMesh& mesh, const Vec3& normal, double 
   auto all = findSections(mesh, normal, {&offset, 1}, {1, nullptr, {}});
   if (!all) return all.error();
   return std::move(all.value().sections.front());
+}
+
+namespace {
+
+/// What a measure is at some offsets, which rise.
+class MeasuredPlanes {
+ public:
+  MeasuredPlanes(const SectionCutter& cutter, SectionMeasure measure,
+                 const ExecutionContext& context)
+      : cutter_(cutter), measure_(measure), context_(context) {}
+
+  /// Nothing where cancelled.
+  std::optional<std::vector<double>> at(const std::vector<double>& offsets) const {
+    const CrossedFaces crossed = cutter_.crossedBy(offsets);
+    std::vector<double> values(offsets.size());
+    const ExecutionContext quiet{context_.threads, context_.cancel, {}};
+    const bool isDone = parallelFor(
+        offsets.size(), kMeasuredAtOnce, quiet, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k) {
+            values[k] = cutter_.measured(measure_, offsets[k], crossed.of(k));
+          }
+        });
+    if (!isDone) return std::nullopt;
+    return values;
+  }
+  double atOne(double offset) const {
+    return cutter_.measured(measure_, offset, cutter_.crossedBy({&offset, 1}).of(0));
+  }
+
+ private:
+  const SectionCutter& cutter_;
+  SectionMeasure measure_;
+  const ExecutionContext& context_;
+};
+
+/// The offsets where pieces of the measure begin and end: just above each height of a vertex, where
+/// it is the limit from above, and at it, where it is that from below.
+std::vector<double> pieceEnds(const SectionCutter& cutter, const HeightRange& range) {
+  const double above = 2 * cutter.slack();
+  std::vector<double> heights{range.low, range.high};
+  for (const double height : cutter.heights()) {
+    if (height > range.low && height < range.high) heights.push_back(height);
+  }
+  std::sort(heights.begin(), heights.end());
+  std::vector<double> ends;
+  for (const double height : heights) {
+    for (const double offset : {height, height + above}) {
+      if (offset <= range.high && (ends.empty() || offset > ends.back())) ends.push_back(offset);
+    }
+  }
+  return ends;
+}
+
+/// The least value of a convex function between two offsets, by golden sections.
+double leastBetween(const MeasuredPlanes& planes, double low, double high) {
+  constexpr double kGolden = 0.6180339887498949;
+  double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
+  double atLeft = planes.atOne(left), atRight = planes.atOne(right);
+  while (low < left && left < right && right < high &&
+         high - low > kInPlane * std::max(std::fabs(low), std::fabs(high))) {
+    if (atLeft <= atRight) {
+      high = right;
+      right = left;
+      atRight = atLeft;
+      left = high - kGolden * (high - low);
+      atLeft = planes.atOne(left);
+    } else {
+      low = left;
+      left = right;
+      atLeft = atRight;
+      right = low + kGolden * (high - low);
+      atRight = planes.atOne(right);
+    }
+  }
+  return atLeft <= atRight ? left : right;
+}
+
+/// The offset of the least value, from those at the ends of pieces. `isCurved`: pieces are convex,
+/// not linear. Nothing where cancelled.
+std::optional<double> narrowestOffset(const MeasuredPlanes& planes, const std::vector<double>& ends,
+                                      const std::vector<double>& values, bool isCurved) {
+  std::vector<double> middles;
+  for (std::size_t k = 1; isCurved && k < ends.size(); ++k)
+    middles.push_back((ends[k - 1] + ends[k]) / 2);
+  const auto inside = planes.at(middles);
+  if (!inside) return std::nullopt;
+  double best = kInfinity, offset = ends.front();
+  const auto take = [&](double place, double value) {
+    if (!(value > 0) || !(value < best)) return;
+    best = value;
+    offset = place;
+  };
+  for (std::size_t k = 0; k < ends.size(); ++k) take(ends[k], values[k]);
+  for (std::size_t k = 0; k < middles.size(); ++k) take(middles[k], (*inside)[k]);
+  for (std::size_t k = 0; k < middles.size(); ++k) {
+    const double middle = (*inside)[k];
+    if (!(middle > 0)) continue;
+    // Convex: on each half it lies above the line through the other half.
+    const double bound = 2 * middle - std::max(values[k], values[k + 1]);
+    if (bound >= best) continue;
+    const double place = leastBetween(planes, ends[k], ends[k + 1]);
+    take(place, planes.atOne(place));
+  }
+  return offset;
+}
+
+}  // namespace
+
+Result<Section> extremeSection(const SurfaceMesh& mesh, const Vec3& normal,
+                               const HeightRange& range, SectionExtreme extreme,
+                               SectionMeasure measure, const ExecutionContext& context) {
+  const auto unit = unitVector(normal);
+  if (!unit) return noDirection();
+  if (!(range.low <= range.high) || !std::isfinite(range.low) || !std::isfinite(range.high)) {
+    return makeError(ErrorCode::InvalidOption, -1,
+                     "the range of heights is no range of finite numbers");
+  }
+  const SectionCutter cutter(mesh, *unit);
+  const MeasuredPlanes planes(cutter, measure, context);
+  const std::vector<double> ends = pieceEnds(cutter, range);
+  const auto values = planes.at(ends);
+  if (!values) return makeError(ErrorCode::Cancelled, -1, "the search was cancelled");
+  const auto greatest = std::max_element(values->begin(), values->end());
+  if (!(*greatest > 0)) {
+    return makeError(ErrorCode::InvalidOption, -1, "no plane of the range meets the surface");
+  }
+  std::optional<double> offset = ends[static_cast<std::size_t>(greatest - values->begin())];
+  if (extreme == SectionExtreme::Narrowest) {
+    offset = narrowestOffset(planes, ends, *values, measure == SectionMeasure::Tape);
+  }
+  if (!offset) return makeError(ErrorCode::Cancelled, -1, "the search was cancelled");
+  return findSection(mesh, normal, *offset);
+}
+
+Result<double> heightOf(const SurfaceMesh& mesh, const Vec3& normal, const SurfacePoint& point) {
+  const auto unit = unitVector(normal);
+  if (!unit) return noDirection();
+  return dot(*unit, positionOf(mesh, point));
+}
+
+Result<Vec3> directionAlong(const SurfaceMesh& mesh, const SurfacePoint& point) {
+  const auto loop = GirthSolver(mesh).loop(point);
+  if (!loop) return loop.error();
+  const std::vector<Vec3> places = polyline(mesh, loop.value());
+  Vec3 twice{0, 0, 0};
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    twice = twice + cross(places[i - 1] - places[0], places[i] - places[0]);
+  }
+  if (!(norm(twice) > kNoArea * loop.value().length * loop.value().length)) {
+    return makeError(ErrorCode::InvalidPoint, -1,
+                     "no loop that encloses an area goes round the surface at the point");
+  }
+  return (1 / norm(twice)) * twice;
 }
 
 }  // namespace girth

@@ -1,4 +1,5 @@
 // girth section, on a box of known sections.
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -62,6 +63,104 @@ TEST_F(Command, planesThatMissAreToldTheRange) {
   refused({"--every", "1e-9"}, "more than 100000 planes");
   refused({"--at-height", "2mm"}, "unit");
   refused({"--through", "99"}, "VERTEX_OUT_OF_RANGE");
+}
+
+/// A box of 2 by 3 with one of 1 by 1 on it, each 4 high.
+std::string boxWithChimney() {
+  return box() +
+         "v 0 0 5\nv 1 0 5\nv 1 1 5\nv 0 1 5\nv 0 0 9\nv 1 0 9\nv 1 1 9\nv 0 1 9\n"
+         "f 12 11 10 9\nf 13 14 15 16\nf 9 10 14 13\nf 10 11 15 14\nf 11 12 16 15\nf 12 9 13 16\n";
+}
+
+TEST_F(Command, theWidestAndTheNarrowestSectionAreFound) {
+  const std::string model = write("bodies.obj", boxWithChimney());
+  const auto sectionOf = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"section", model, "--json", "--unit", "m"});
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+    return Json::parse(outcome.output)["sections"].at(0);
+  };
+  EXPECT_EQ(sectionOf({"--widest"})["perimeter"], 10);
+  EXPECT_EQ(sectionOf({"--narrowest", "--within", "0,7m"})["perimeter"], 4);
+  EXPECT_EQ(sectionOf({"--narrowest", "--within", "100cm,350cm", "--by-tape"})["tape"], 10);
+  EXPECT_NE(run({"section", model, "--narrowest"}).exitCode, 0);
+  EXPECT_TRUE(contains(run({"section", model, "--widest", "--within", "3"}).errors, "no range"));
+  EXPECT_TRUE(contains(run({"section", model, "--widest", "--within", "20,30"}).errors,
+                       "no plane of the range"));
+}
+
+TEST_F(Command, aSectionAcrossATube) {
+  // A square tube along x, 1 by 1 by 8, in eight rings.
+  std::string obj;
+  for (int ring = 0; ring <= 8; ++ring) {
+    for (const char* corner : {"0 0", "1 0", "1 1", "0 1"}) {
+      obj += "v " + std::to_string(ring) + " " + corner + "\n";
+    }
+  }
+  for (int ring = 0; ring < 8; ++ring) {
+    for (int k = 0; k < 4; ++k) {
+      const int a = 4 * ring + k + 1, b = 4 * ring + (k + 1) % 4 + 1;
+      obj += "f " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(b + 4) +
+             " " + std::to_string(a + 4) + "\n";
+    }
+  }
+  obj += "f 4 3 2 1\nf 33 34 35 36\n";
+  const std::string model = write("tube.obj", obj);
+  const Outcome outcome = run({"section", model, "--through", "16", "--across", "--json"});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  const Json section = Json::parse(outcome.output)["sections"].at(0);
+  EXPECT_NEAR(std::abs(section["normal"][0].get<double>()), 1, 1e-12);
+  EXPECT_NEAR(section["perimeter"].get<double>(), 4, 1e-12);
+  EXPECT_NEAR(std::abs(section["offset"].get<double>()), 4, 1e-12);
+  EXPECT_NE(run({"section", model, "--across"}).exitCode, 0);
+}
+
+TEST_F(Command, namedMeasuresAtLandmarksOfAFile) {
+  const std::string model = write("box.obj", box());
+  // Vertex 4 lies above vertex 0; face 4 is on the front, 0 1 5.
+  const std::string file = write(
+      "landmarks.json",
+      "[{\"name\":\"waist, back\",\"point\":\"4:0.25,0.25,0.5\",\"how\":\"section\"},"
+      "{\"name\":\"waist\",\"point\":\"4:0.25,0.25,0.5\",\"how\":\"tape\"},"
+      "{\"name\":\"height\",\"point\":0,\"to\":4,\"how\":\"distance\"},"
+      "{\"name\":\"loop\",\"point\":\"4:0.25,0.25,0.5\",\"how\":\"girth\"},"
+      "{\"name\":\"round\",\"point\":\"4:0.25,0.25,0.5\",\"how\":\"section\",\"across\":true}]");
+  const Outcome outcome =
+      run({"section", model, "--landmarks", file, "-o", path("m.csv"), "--unit", "cm", "--json"});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  const Json measures = Json::parse(outcome.output)["measures"];
+  ASSERT_EQ(measures.size(), 5u);
+  EXPECT_NEAR(measures[0]["length"].get<double>(), 10, 1e-12);
+  EXPECT_NEAR(measures[1]["length"].get<double>(), 10, 1e-12);
+  EXPECT_NEAR(measures[2]["length"].get<double>(), 4, 1e-12);
+  EXPECT_EQ(measures[2]["point"]["vertices"], Json({0}));
+  const Json loop =
+      Json::parse(run({"loop", model, "--face", "4", "--at", "0.25,0.25,0.5", "--json"}).output);
+  EXPECT_EQ(measures[3]["length"], loop["length"]);
+  EXPECT_GT(measures[4]["length"].get<double>(), 0);
+  const auto rows = linesOf(contentOf(path("m.csv")));
+  ASSERT_EQ(rows.size(), 6u);
+  EXPECT_EQ(rows[0], "number,name,how,x,y,z,length,unit");
+  EXPECT_EQ(rows[1].rfind("1,\"waist, back\",section,", 0), 0u) << rows[1];
+  EXPECT_EQ(rows[3].rfind("3,height,distance,0,0,0,", 0), 0u) << rows[3];
+  EXPECT_TRUE(contains(run({"section", model, "--landmarks", file}).output, "5 measures\n"));
+  EXPECT_NE(run({"section", model, "--landmarks", file, "-o", path("m.obj")}).exitCode, 0);
+}
+
+TEST_F(Command, landmarksThatAreNoneAreNamed) {
+  const std::string model = write("box.obj", box());
+  const auto refusal = [&](const std::string& content) {
+    const Outcome outcome =
+        run({"section", model, "--landmarks", write("landmarks.json", content)});
+    EXPECT_NE(outcome.exitCode, 0);
+    return outcome.errors;
+  };
+  EXPECT_TRUE(contains(refusal("{"), "no JSON array"));
+  EXPECT_TRUE(contains(refusal("[{\"point\":1}]"), "landmark 1 has no \"name\""));
+  EXPECT_TRUE(contains(refusal("[{\"name\":\"a\",\"point\":1,\"how\":\"width\"}]"), "\"how\""));
+  EXPECT_TRUE(
+      contains(refusal("[{\"name\":\"a\",\"point\":1,\"how\":\"distance\"}]"), "has no \"to\""));
+  EXPECT_TRUE(contains(refusal("[{\"name\":\"neck\",\"point\":99,\"how\":\"tape\"}]"), "neck: "));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -287,6 +288,117 @@ TEST(ConvexHull, WidthsAreThoseOfAllDirections) {
     EXPECT_NEAR(widths.greatest, greatest, 1e-12) << round;
     EXPECT_NEAR(widths.least, hull.size() < 3 ? 0 : least, 1e-12) << round;
   }
+}
+
+TEST(Section, OfManyPlanesAreThoseOfEachWhateverTheirOrder) {
+  const SurfaceMesh mesh = letterU().mesh();
+  const std::vector<double> offsets{3.5, 0.5, 1, 0.5, 9, 0.25, 1, 2};
+  const auto all = findSections(mesh, {0, 1, 0}, offsets, {3, nullptr, {}}).value().sections;
+  ASSERT_EQ(all.size(), offsets.size());
+  for (std::size_t k = 0; k < offsets.size(); ++k) {
+    const Section one = cut(mesh, {0, 1, 0}, offsets[k]);
+    EXPECT_EQ(all[k].offset, offsets[k]);
+    EXPECT_EQ(all[k].perimeter, one.perimeter);
+    EXPECT_EQ(all[k].tape, one.tape);
+    ASSERT_EQ(all[k].curves.size(), one.curves.size());
+    for (std::size_t c = 0; c < one.curves.size(); ++c) {
+      EXPECT_EQ(all[k].curves[c].points.size(), one.curves[c].points.size());
+      EXPECT_EQ(all[k].curves[c].area, one.curves[c].area);
+    }
+  }
+}
+
+/// Boxes of widths 3, 1 and 2, one on the other, 2 deep.
+SurfaceMesh steps() {
+  return test::blocks({0, 1, 2, 3}, {0, 2}, {0, 1, 2, 3},
+                      [](int i, int, int k) {
+                        return i < (k == 0 ? 3 : k == 1 ? 1 : 2);
+                      })
+      .mesh();
+}
+
+TEST(Section, WidestAndNarrowestOfStepsAreThoseOfTheirBoxes) {
+  const SurfaceMesh mesh = steps();
+  const auto extreme = [&](double low, double high, SectionExtreme which) {
+    return extremeSection(mesh, {0, 0, 3}, {low, high}, which).value();
+  };
+  for (const SectionMeasure measure : {SectionMeasure::Perimeter, SectionMeasure::Tape}) {
+    const auto widest =
+        extremeSection(mesh, {0, 0, 1}, {0, 3}, SectionExtreme::Widest, measure).value();
+    expectNear(widest.perimeter, 10);
+    EXPECT_TRUE(widest.offset > 0 && widest.offset <= 1) << widest.offset;
+  }
+  const Section narrowest = extreme(0.5, 2.5, SectionExtreme::Narrowest);
+  expectNear(narrowest.perimeter, 6);
+  EXPECT_TRUE(narrowest.offset > 1 && narrowest.offset <= 2) << narrowest.offset;
+  expectNear(extreme(2.5, 2.75, SectionExtreme::Narrowest).perimeter, 8);
+  expectNear(extreme(2.5, 2.5, SectionExtreme::Widest).perimeter, 8);
+  // Planes that miss the body are none of the narrowest.
+  expectNear(extreme(2.5, 7, SectionExtreme::Narrowest).perimeter, 8);
+}
+
+/// Two bars of one square section, which lean to opposite sides: at height h they are at y = h and,
+/// beside it, at y = -h.
+SurfaceMesh crossedBars(double apart) {
+  test::Shape shape;
+  for (const double side : {1.0, -1.0}) {
+    const Index first = shape.vertexCount();
+    for (const double h : {-1.0, 1.0}) {
+      const double x = side < 0 ? apart : 0, y = side * h;
+      shape.add(x, y, h);
+      shape.add(x + 1, y, h);
+      shape.add(x + 1, y + 1, h);
+      shape.add(x, y + 1, h);
+    }
+    for (const auto& [a, b, c, d] : std::vector<std::array<Index, 4>>{
+             {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}) {
+      shape.face(first + a, first + b, first + c);
+      shape.face(first + a, first + c, first + d);
+    }
+  }
+  return shape.mesh();
+}
+
+TEST(Section, TheTapeIsNarrowestBetweenVertices) {
+  constexpr double kApart = 3;
+  const SurfaceMesh mesh = crossedBars(kApart);
+  const auto tapeAt = [&](double h) { return 4 + 2 * std::hypot(kApart, 2 * h); };
+  const auto extreme = [&](double low, double high, SectionExtreme which) {
+    return extremeSection(mesh, {0, 0, 1}, {low, high}, which, SectionMeasure::Tape).value();
+  };
+  for (const double high : {0.5, 0.75, 1.0}) {
+    const Section found = extreme(-0.875, high, SectionExtreme::Narrowest);
+    expectNear(found.tape, tapeAt(0));
+    EXPECT_NEAR(found.offset, 0, 1e-6);
+  }
+  expectNear(extreme(0.25, 0.75, SectionExtreme::Narrowest).tape, tapeAt(0.25));
+  expectNear(extreme(-0.25, 0.75, SectionExtreme::Widest).tape, tapeAt(0.75));
+}
+
+TEST(Section, ExtremesOfNoRangeAreRefused) {
+  const SurfaceMesh mesh = steps();
+  const auto code = [&](const Vec3& normal, double low, double high) {
+    const auto found = extremeSection(mesh, normal, {low, high}, SectionExtreme::Widest);
+    EXPECT_FALSE(found);
+    return found.error().code;
+  };
+  EXPECT_EQ(code({0, 0, 0}, 0, 1), ErrorCode::InvalidOption);
+  EXPECT_EQ(code({0, 0, 1}, 2, 1), ErrorCode::InvalidOption);
+  EXPECT_EQ(code({0, 0, 1}, std::nan(""), 1), ErrorCode::InvalidOption);
+  EXPECT_EQ(code({0, 0, 1}, 7, 9), ErrorCode::InvalidOption);
+}
+
+TEST(Section, AcrossATubeIsWhatItsGirthLoopGoesRound) {
+  const SurfaceMesh tube = test::prism(test::regularPolygon(12, 0.5), 8, 16).mesh();
+  const SurfacePoint middle = SurfacePoint::atVertex(Vertex(8 * 12 + 3));
+  const Vec3 along = directionAlong(tube, middle).value();
+  EXPECT_NEAR(std::fabs(along.z), 1, kExact);
+  const double height = heightOf(tube, 5 * along, middle).value();
+  EXPECT_NEAR(height, 4 * along.z, kExact);
+  expectNear(cut(tube, along, height).perimeter, 6);
+  EXPECT_FALSE(heightOf(tube, {0, 0, 0}, middle));
+  EXPECT_EQ(directionAlong(tube, SurfacePoint::atVertex(Vertex(100'000))).error().code,
+            ErrorCode::VertexOutOfRange);
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ class GIRTH_EXPORT CsvRow {
   void operator()(std::string_view, Count count) {
     add(std::to_string(count));
   }
-  /// A word.
-  void operator()(std::string_view, std::string_view word) { add(word); }
+  /// A word; in quotation marks where it has a comma, such a mark or the end of a line.
+  void operator()(std::string_view, std::string_view word);
   /// A word of an enumeration.
   template <class Word>
   requires std::is_enum_v<Word>

@@ -4,20 +4,27 @@
 #include <cmath>
 #include <string>
 
+#include "mesh/level_walk.h"
+
 namespace girth {
 namespace {
 
 class LevelCurves {
  public:
   LevelCurves(const SurfaceMesh& mesh, std::span<const double> values, double level)
-      : mesh_(mesh), values_(values), level_(level), isDone_(mesh.halfedgeCount(), false) {}
+      : mesh_(mesh),
+        values_(values),
+        level_(level),
+        walk_(mesh, values, level),
+        isDone_(mesh.halfedgeCount(), false) {}
 
   std::vector<SurfaceCurve> all() {
     // Curves that begin at the boundary or beside a vertex without a value come first, from their
     // ends.
     for (const bool fromEnds : {true, false}) {
       for (const Halfedge h : mesh_.halfedges()) {
-        if (isDone_[h] || !rises(h) || !isWhole(h) || (fromEnds && !isEnd(mesh_.twin(h)))) continue;
+        if (isDone_[h] || !walk_.rises(h) || !isWhole(h) || (fromEnds && !isEnd(mesh_.twin(h))))
+          continue;
         follow(h);
       }
     }
@@ -25,7 +32,6 @@ class LevelCurves {
   }
 
  private:
-  bool isBelow(Vertex v) const { return values_[v] < level_; }
   /// Whether all corners of a halfedge's face have values.
   bool isWhole(Halfedge h) const {
     const auto corners = mesh_.faceVertices(SurfaceMesh::faceOf(h));
@@ -33,9 +39,6 @@ class LevelCurves {
                         [&](Vertex v) { return std::isnan(values_[v]); });
   }
   bool isEnd(Halfedge h) const { return h == Halfedge::none || !isWhole(h); }
-  /// Every face that a curve runs through has one such side, through which it comes in.
-  bool rises(Halfedge h) const { return isBelow(mesh_.from(h)) && !isBelow(mesh_.to(h)); }
-
   SurfacePoint pointOn(Halfedge h) const {
     const double from = values_[mesh_.from(h)], to = values_[mesh_.to(h)];
     // Halves, so that no difference of two numbers is infinite.
@@ -48,10 +51,7 @@ class LevelCurves {
     for (Halfedge h = start;;) {
       isDone_[h] = true;
       // Out through the side that falls.
-      Halfedge out = SurfaceMesh::next(h);
-      while (!rises(out) && isBelow(mesh_.from(out)) == isBelow(mesh_.to(out))) {
-        out = SurfaceMesh::next(out);
-      }
+      const Halfedge out = walk_.sideOf(SurfaceMesh::faceOf(h), false);
       const Halfedge twin = mesh_.twin(out);
       if (isEnd(twin)) {
         curve.push_back(pointOn(out));
@@ -67,6 +67,7 @@ class LevelCurves {
   const SurfaceMesh& mesh_;
   std::span<const double> values_;
   double level_;
+  LevelWalk walk_;
   std::vector<bool> isDone_;
   std::vector<SurfaceCurve> curves_;
 };
