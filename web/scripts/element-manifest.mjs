@@ -39,7 +39,7 @@ function classIn(file, name) {
 
 /** The attributes with their manual: the comments of their rules. */
 export function attributes() {
-  const rules = parsed('attributes.ts')
+  const rules = parsed('attributes/attributes.ts')
     .statements.filter(ts.isVariableStatement)
     .flatMap(({ declarationList }) => [...declarationList.declarations])
     .find(({ name }) => name.getText() === 'rules')?.initializer;
@@ -112,7 +112,7 @@ export function elementManifest() {
     classIn('mesh-calls.ts', 'MeshCalls'),
     classIn('viewer-element.ts', 'GirthViewer'),
   ];
-  const style = textOf('shell-style.ts');
+  const style = textOf('controls/shell-style.ts');
   const properties = new Set(
     [...style.matchAll(/^\s*(--girth-[a-z-]+):/gm)].map(([, name]) => name),
   );
