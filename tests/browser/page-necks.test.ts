@@ -122,14 +122,14 @@ test('a neck is listed, shown, and the surface cut along it', async () => {
   expect(segmented.crossing).toEqual([]);
   expect(segmented.tips).toEqual([1, 1]);
   expect(segmented.areas).toEqual(known.sides.map((area) => expect.closeTo(area, 9) as number));
-  expect(segmented.csv.map((line) => Number(line.split(',')[1]) - 1)).toEqual(segmented.labels);
+  expect(segmented.csv.map((line) => Number(line.split(',')[1]))).toEqual(segmented.labels);
   const json = await downloaded(page, 'json');
   expect((JSON.parse(json.bytes.toString()) as { parts: unknown[] }).parts.length).toBe(2);
   const csv = await downloaded(page, 'csv');
   const rows_ = csv.bytes.toString().trim().split('\n');
   const faceCount = await viewer.evaluate((element: GirthViewer) => element.info!.faceCount);
   expect(rows_.length).toBe(1 + faceCount);
-  expect(new Set(rows_.slice(1).map((line) => line.split(',')[1]))).toEqual(new Set(['1', '2']));
+  expect(new Set(rows_.slice(1).map((line) => line.split(',')[1]))).toEqual(new Set(['0', '1']));
   await panel.getByRole('button', { name: 'Show it whole' }).click();
   expect(await parts.count()).toBe(0);
 

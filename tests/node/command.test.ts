@@ -155,7 +155,7 @@ const main = [
   'tips torus.obj --stability --noise 0.1 --subdivide 700 -o tips.obj --force --scale 2 --min-component 1e-3 -q',
   'tips model.off --unit mm --in cm --weld 0.01 --close-holes --component 0',
   'tips torus.zip --entry torus.obj -o - --format json --height 900mm --up z',
-  'parts model.glb -o parts.csv --positions --smooth 0.5 --threads 2 --scale 2 --faces 300',
+  'parts model.glb -o parts.csv --positions --smooth-labels 0.5 --threads 2 --scale 2 --faces 300',
   'parts torus.obj -o parts.ply --girth 3 --shape-diameter 2 --subdivide 700 --persistence 1% -q --force',
   'parts torus.zip --entry torus.obj --json --weld 0.01 --close-holes --component 0 --min-component 1e-3',
   'parts torus.obj -o - --format json --unit mm --in cm --height 900mm --up z',
