@@ -50,7 +50,13 @@ export function optionNamesText() {
     return /** @type {ts.InterfaceDeclaration} */ (node);
   };
   const tables = interfaces.map((name) => {
-    const own = declared(name).members.filter(ts.isMethodSignature);
+    // A mesh has calls of other interfaces too.
+    const own =
+      name === 'Mesh'
+        ? checker
+            .getPropertiesOfType(checker.getTypeAtLocation(declared(name)))
+            .flatMap(({ declarations = [] }) => declarations.filter(ts.isMethodSignature))
+        : declared(name).members.filter(ts.isMethodSignature);
     const names = new Set(own.map((method) => method.name.getText()));
     const calls = [...names].flatMap((call) => {
       const overloads = own

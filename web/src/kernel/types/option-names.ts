@@ -95,6 +95,7 @@ export const callOptionNames: Readonly<
     remesh: { '1': ['even', 'onProgress', 'signal'] },
     smooth: { '1': ['onProgress', 'signal'] },
     difference: { '3': ['signal'] },
+    distances: { '0': ['pairs', 'paths', 'onProgress', 'signal'] },
   },
   RemeshedMesh: { carryBack: { '1': ['signal'] }, carryField: { '1': ['signal'] } },
 };
