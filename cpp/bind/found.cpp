@@ -204,7 +204,7 @@ Content segmentsFile(const Asked& asked) {
   return asked.unknownFormat("segments are");
 }
 
-/// Of an analysis of the table.
+/// The file of an analysis of the table.
 template <Described Found>
 Content analysisFile(const Asked& asked) {
   if (asked.format != "csv" && asked.format != "json")

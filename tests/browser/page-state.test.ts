@@ -27,7 +27,7 @@ async function atRest(page: Page): Promise<void> {
     .toBe(true);
 }
 
-/** What the page shows, in the words of its state. */
+/** The content of the page, in the words of its state. */
 const shownOn = (page: Page) =>
   page.evaluate(() => {
     const viewer = document.querySelector<GirthViewer>('girth-viewer')!;
@@ -48,7 +48,7 @@ const shownOn = (page: Page) =>
     };
   });
 
-/** The same of the state that the address has. */
+/** The content by the state that the address has. */
 function saidBy(text: string) {
   const { model, file, field, colormap, isolines, log, loops, names, panel } = readState(text);
   const [fieldChoice, colormapChoice] = [field ?? 'igf', colormap ?? 'viridis'];
@@ -101,7 +101,7 @@ test.each([49, 2026])('random actions, none of which waits for another: seed %i'
   for (let round = 0; round < 15; ++round) {
     for (let step = 0; step < 10; ++step) await random.of(actions)();
     await atRest(page);
-    // What is slow may come after a rest.
+    // Slow changes may come after a rest.
     await vi.waitFor(
       async () => expect(await shownOn(page), `round ${round}`).toEqual(saidBy(fragment(page))),
       { timeout: 20_000, interval: 300 },

@@ -14,7 +14,7 @@ import {
 const made =
   '// Made of cpp/include/girth/analyses.def by `npm run build:tables`: not to be edited.\n';
 
-/** What an analysis does, as its manual. @param {ReturnType<typeof analyses>[number]} analysis */
+/** The manual of an analysis. @param {ReturnType<typeof analyses>[number]} analysis */
 function manualOf({ call }) {
   const { file, comment } = functionOf(call);
   return { words: comment, isExperimental: isExperimental(file) };
@@ -59,7 +59,7 @@ ${interfaces.join('\n')}
 export interface Analyses {
 ${calls.join('')}}
 
-/** What they find. */
+/** The results of all analyses. */
 export type FoundByAnalysis = ${found.join(' | ')};
 
 /** The analyses: the list that only their results have, by their names. */
@@ -102,7 +102,7 @@ ${methods.join('\n')}}
 }
 
 /**
- * What the core takes of an argument in Python.
+ * The argument as the core takes it in Python.
  * @param {string} type
  * @param {string} value
  * @param {string} name
@@ -123,7 +123,7 @@ function taken(type, value, name) {
   return `[${taken(only, 'part', name)} for part in ${value}]`;
 }
 
-/** What people pass. @param {string} type @returns {[annotation: string, words: string]} */
+/** The argument as people pass it. @param {string} type @returns {[annotation: string, words: string]} */
 function passed(type) {
   const [, entry] = /^std::vector<(\w+)>$/.exec(type) ?? [];
   if (entry) return [`Iterable[${passed(entry)[0]}]`, `sequence of ${passed(entry)[1]}`];

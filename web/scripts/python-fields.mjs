@@ -2,7 +2,7 @@
 
 import { inPython, sentences, wrapped } from './results.mjs';
 
-/** What people pass, by the kind of a parameter. */
+/** Parameters as people pass them, by their kind. */
 const passed = /** @type {Record<string, [annotation: string, words: string]>} */ ({
   Count: ['Optional[int]', 'int, optional'],
   Degrees: ['Optional[float]', 'float, in degrees, optional'],

@@ -23,7 +23,7 @@ enum class MeasureKind : std::uint8_t {
 /// "girth", "section", "tape" or "distance".
 std::string_view toString(MeasureKind kind);
 
-/// What was measured at a landmark.
+/// A measure at a landmark.
 struct NamedMeasure {
   std::string name;
   MeasureKind how{MeasureKind::Girth};

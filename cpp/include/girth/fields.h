@@ -57,7 +57,7 @@ struct FieldOptions {
   ThicknessOptions thickness;
   /// How 'geoaverage' and 'geofarthest' measure distances.
   DistanceMethod distances{DistanceMethod::FastMarching};
-  // Those of single fields that the table names.
+  // Options of single fields that the table names.
 #define GIRTH_FIELD_OPTIONS(Options, member) Options member{};
 #include "girth/fields.def"
 };

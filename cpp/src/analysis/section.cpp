@@ -362,7 +362,7 @@ Result<Section> findSection(const SurfaceMesh& mesh, const Vec3& normal, double 
 
 namespace {
 
-/// What a measure is at some offsets, which rise.
+/// The values of a measure at some offsets, which rise.
 class MeasuredPlanes {
  public:
   MeasuredPlanes(const SectionCutter& cutter, SectionMeasure measure,

@@ -73,7 +73,7 @@ test('10,000 random steps: no result is shown but that of the wanted key', async
   for (const seed of [3, 49, 2026, 71]) {
     const random = randomFrom(seed);
     const { jobs, told, resource, want } = fakeKernel();
-    /** What is wanted, in the words of a plain model. */
+    /** The wanted key, in the words of a plain model. */
     let wanted: Key | undefined;
     let expected: Status<string>['is'] = 'unwanted';
     const isSame = (key: Key): boolean => JSON.stringify(key) === JSON.stringify(wanted);

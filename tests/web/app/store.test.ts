@@ -106,7 +106,7 @@ test('watchers are told in their order, of their own keys, and of what others ch
   expect(told.splice(0)).toEqual(['tip undefined', 'both undefined undefined']);
   store.choose({ tip: 3 });
   told.splice(0);
-  // The same one in another state.
+  // One surface in another state.
   const { facts: same } = store.held;
   store.arrive({ ...store.shown }, same!, store.ask({ tip: 3, jump: 2 }));
   expect(told).toEqual(['both 3 2']);
@@ -123,7 +123,7 @@ test('10,000 random steps: what is shown is what was asked for last, whatever co
     const random = randomFrom(seed);
     const store = new Store();
     const late: Opening[] = [];
-    /** What the newest wish is to show, in the words of a plain model of the page. */
+    /** The newest wish, in the words of a plain model of the page. */
     let wanted: { number: number; state: PageState } | undefined;
     let shown: PageState = {};
     let isThere = false;
@@ -176,7 +176,7 @@ test('10,000 random steps: what is shown is what was asked for last, whatever co
       expect(store.shown, where).toEqual(shown);
       expect(store.wish?.state, where).toEqual(wanted?.state);
       expect(store.meant, where).toEqual(isThere || !wanted ? shown : wanted.state);
-      // What views were told last is what is shown, and a link of it says the same.
+      // Views were told last of the state that is shown, and a link of it says the same.
       expect(followed.at(-1), where).toEqual(shown);
       expect(readState(writeState(shown)), where).toEqual(shown);
     }

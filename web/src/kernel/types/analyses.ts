@@ -32,7 +32,7 @@ export interface Analyses {
   distances(options: DistancesOptions): Promise<Distances>;
 }
 
-/** What they find. */
+/** The results of all analyses. */
 export type FoundByAnalysis = Distances;
 
 /** The analyses: the list that only their results have, by their names. */
