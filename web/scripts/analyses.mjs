@@ -59,13 +59,13 @@ ${interfaces.join('\n')}
 export interface Analyses {
 ${calls.join('')}}
 
-/** The results of all analyses. */
+/** The results of analyses. */
 export type FoundByAnalysis = ${found.join(' | ')};
 
 /** The analyses: the list that only their results have, by their names. */
-export const analysisLists = { ${analyses()
+export const analysisLists: Readonly<Record<keyof Analyses, string>> = { ${analyses()
     .map(({ name, found }) => `${name}: '${listOf(found)}'`)
-    .join(', ')} } as const;
+    .join(', ')} };
 `;
 }
 
@@ -102,7 +102,7 @@ ${methods.join('\n')}}
 }
 
 /**
- * The argument as the core takes it in Python.
+ * The value that the core takes of an argument in Python.
  * @param {string} type
  * @param {string} value
  * @param {string} name
@@ -123,7 +123,7 @@ function taken(type, value, name) {
   return `[${taken(only, 'part', name)} for part in ${value}]`;
 }
 
-/** The argument as people pass it. @param {string} type @returns {[annotation: string, words: string]} */
+/** The annotation of an argument, and its words in the manual. @param {string} type @returns {[annotation: string, words: string]} */
 function passed(type) {
   const [, entry] = /^std::vector<(\w+)>$/.exec(type) ?? [];
   if (entry) return [`Iterable[${passed(entry)[0]}]`, `sequence of ${passed(entry)[1]}`];

@@ -2,7 +2,7 @@
 
 import { inPython, sentences, wrapped } from './results.mjs';
 
-/** Parameters as people pass them, by their kind. */
+/** Annotations of arguments and their words in the manual, by the kind of a parameter. */
 const passed = /** @type {Record<string, [annotation: string, words: string]>} */ ({
   Count: ['Optional[int]', 'int, optional'],
   Degrees: ['Optional[float]', 'float, in degrees, optional'],

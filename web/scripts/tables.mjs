@@ -43,20 +43,11 @@ export function fields() {
   return [...vertex, ...spectral];
 }
 
-/** The options of single fields that the table names, by their member of FieldOptions. */
-const ownOptions = () =>
-  Object.fromEntries(
-    entriesOf(`${headers}/fields.def`, 'GIRTH_FIELD_OPTIONS').map(([type = '', member = '']) => [
-      member,
-      { type, comment: `Options of '${member}'.` },
-    ]),
-  );
-
 /** A member of FieldOptions. @param {string} name */
 function fieldOption(name) {
-  const found = structOf('FieldOptions').members[name] ?? ownOptions()[name];
+  const found = structOf('FieldOptions').members[name];
   if (!found) throw new Error(`FieldOptions has no ${name}`);
-  return { byDefault: '', ...found };
+  return found;
 }
 
 /** Parameters of fields, with the comments and defaults of the structs that hold them. */

@@ -29,7 +29,7 @@ struct Landmark {
   bool across{false};
 };
 
-/// The fault of a point; empty: none.
+/// Reads a point. Returns what is wrong with it; empty: nothing.
 std::string readMember(const json& landmark, const char* name, TypedPoint& point) {
   const auto found = landmark.find(name);
   if (found == landmark.end()) return std::string("has no \"") + name + "\"";
@@ -41,7 +41,7 @@ std::string readMember(const json& landmark, const char* name, TypedPoint& point
   return readPoint(found->get<std::string>(), point);
 }
 
-/// The fault of a landmark; empty: none.
+/// Reads a landmark. Returns what is wrong with it; empty: nothing.
 std::string readLandmark(const json& from, Landmark& landmark) {
   if (!from.is_object()) return "is no object";
   const auto name = from.find("name"), how = from.find("how"), across = from.find("across");

@@ -14,7 +14,7 @@
 
 namespace girth {
 
-/// Points that distances are measured from, and how far.
+/// The points that distances are measured from, and how far.
 struct DistanceFieldOptions {
   /// Where distances are measured from: each is that from the nearest of these points.
   std::vector<SurfacePoint> from;

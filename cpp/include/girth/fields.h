@@ -57,9 +57,8 @@ struct FieldOptions {
   ThicknessOptions thickness;
   /// How 'geoaverage' and 'geofarthest' measure distances.
   DistanceMethod distances{DistanceMethod::FastMarching};
-  // Options of single fields that the table names.
-#define GIRTH_FIELD_OPTIONS(Options, member) Options member{};
-#include "girth/fields.def"
+  /// Options of 'distance'.
+  DistanceFieldOptions distance;
 };
 
 /// A field vertex by vertex: numbers, or the girth with its kinds.

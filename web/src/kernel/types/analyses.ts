@@ -32,8 +32,8 @@ export interface Analyses {
   distances(options: DistancesOptions): Promise<Distances>;
 }
 
-/** The results of all analyses. */
+/** The results of analyses. */
 export type FoundByAnalysis = Distances;
 
 /** The analyses: the list that only their results have, by their names. */
-export const analysisLists = { distances: 'distances' } as const;
+export const analysisLists: Readonly<Record<keyof Analyses, string>> = { distances: 'distances' };

@@ -56,7 +56,7 @@ export interface ThicknessOptions {
   sharpAngle?: number;
 }
 
-/** Points that distances are measured from, and how far. */
+/** The points that distances are measured from, and how far. */
 export interface DistanceFieldOptions {
   /**
    * Where distances are measured from: each is that from the nearest of these points. Default: the first
