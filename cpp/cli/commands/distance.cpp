@@ -62,7 +62,7 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Dis
   std::printf("  %7s %12s %12s\n", "pair", "length", "straight");
   for (std::size_t i = 0; i < count && i < kMostRows; ++i) {
     const Distance& distance = found.distances[i];
-    std::printf("  %7zu %12s %12s\n", i + 1, readable(distance.length).c_str(),
+    std::printf("  %7zu %12s %12s\n", i, readable(distance.length).c_str(),
                 readable(distance.straight).c_str());
   }
   if (count > kMostRows) {

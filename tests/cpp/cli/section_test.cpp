@@ -141,8 +141,8 @@ TEST_F(Command, namedMeasuresAtLandmarksOfAFile) {
   const auto rows = linesOf(contentOf(path("m.csv")));
   ASSERT_EQ(rows.size(), 6u);
   EXPECT_EQ(rows[0], "number,name,how,x,y,z,length,unit");
-  EXPECT_EQ(rows[1].rfind("1,\"waist, back\",section,", 0), 0u) << rows[1];
-  EXPECT_EQ(rows[3].rfind("3,height,distance,0,0,0,", 0), 0u) << rows[3];
+  EXPECT_EQ(rows[1].rfind("0,\"waist, back\",section,", 0), 0u) << rows[1];
+  EXPECT_EQ(rows[3].rfind("2,height,distance,0,0,0,", 0), 0u) << rows[3];
   EXPECT_TRUE(contains(run({"section", model, "--landmarks", file}).output, "5 measures\n"));
   EXPECT_NE(run({"section", model, "--landmarks", file, "-o", path("m.obj")}).exitCode, 0);
 }

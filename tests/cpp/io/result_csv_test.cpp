@@ -30,6 +30,14 @@ constexpr auto describe(Members<Measured>) {
       member("count", &Measured::count));
 }
 
+struct AllMeasured {
+  std::vector<Measured> all;
+};
+
+constexpr auto describe(Members<AllMeasured>) {
+  return described<AllMeasured>(member("all", &AllMeasured::all));
+}
+
 namespace {
 
 /// A tetrahedron whose first vertex the preparation made.
@@ -56,6 +64,14 @@ TEST(ResultCsv, numbersWordsAndPlacesHaveCells) {
             "1,0.5,true,1,1,2,3,0,0,1,7,metre\n"
             "2,,false,,0,0,0,0,0,0,0,metre\n"
             "3,,false,,0,0,0,0,0,0,0,metre\n");
+}
+
+TEST(ResultCsv, theListOfAResultIsNumberedFromZero) {
+  const AllMeasured found{{{0.5, true, Vertex(2), {}, {}, {}, 7}, {}}};
+  EXPECT_EQ(resultCsv(tetrahedron(), found),
+            "number,length,closed,apex,x,y,z,normalX,normalY,normalZ,count,unit\n"
+            "0,0.5,true,1,0,0,0,0,0,0,7,metre\n"
+            "1,0,false,,0,0,0,0,0,0,0,metre\n");
 }
 
 TEST(ResultJson, aStructOfOnesOwnIsWrittenAsTheCommandWritesOthers) {

@@ -126,7 +126,7 @@ class ResultCsv {
 };
 
 /// The only list of described structs of a result, as CSV: a row for each, with its `number`
-/// from 1.
+/// from 0.
 template <Described Struct>
 std::string resultCsv(const LoadedMesh& loaded, const Struct& result) {
   std::string text;
@@ -134,7 +134,7 @@ std::string resultCsv(const LoadedMesh& loaded, const Struct& result) {
     if constexpr (requires { typename Value::value_type; }) {
       if constexpr (Described<typename Value::value_type>) {
         ResultCsv<typename Value::value_type> csv(loaded, "number");
-        for (std::size_t i = 0; i < value.size(); ++i) csv.add(value[i], std::to_string(i + 1));
+        for (std::size_t i = 0; i < value.size(); ++i) csv.add(value[i], std::to_string(i));
         text = csv.text();
       }
     }
