@@ -5,6 +5,7 @@ import { fieldTitle, formatCount, make } from '../../../src/element/index.js';
 import { DistributionPlot, extent } from '../../../src/element/plots.js';
 import { ComparedModel } from './compared-model.js';
 import { DistanceMatrix, distanceWords } from './distance-matrix.js';
+import { once } from '../../widgets/dom.js';
 import { Draft } from '../../widgets/draft.js';
 import { failureWords } from '../../widgets/failure-words.js';
 import { kernel } from '../../model/kernel.js';
@@ -16,7 +17,7 @@ import { type Opened, isSameModel } from '../../model/session.js';
 import { TableActions } from '../../widgets/table-actions.js';
 import { type Table, plainNumber } from '../../widgets/table-text.js';
 import { term } from '../../help/terms.js';
-import { thumbnail } from './thumbnail.js';
+import type { thumbnail } from './thumbnail.js';
 
 /** More models than these are too many for workers that keep them all. */
 export const mostModels = 24;
@@ -70,6 +71,11 @@ export class ComparePanel {
   #query: ComparedModel | undefined;
   readonly #distances = new Map<string, number>();
   readonly #pictures = new Map<string, HTMLCanvasElement>();
+  #thumbnail: typeof thumbnail | undefined;
+  readonly #fetchThumbnail = once(async () => {
+    this.#thumbnail = (await import('./thumbnail.js')).thumbnail;
+    this.#refresh();
+  });
   /** For keys: what a model is called here. */
   readonly #numbers = new Map<ComparedModel, number>();
   #comparing = new AbortController();
@@ -466,11 +472,15 @@ export class ComparePanel {
 
   #pictureOf(model: ComparedModel, name: FieldName): HTMLCanvasElement | undefined {
     if (!model.mesh) return undefined;
+    if (!this.#thumbnail) {
+      void this.#fetchThumbnail();
+      return undefined;
+    }
     const field = model.fieldOf(name);
     const key = `${this.#keyOf(model, model, name)} ${field !== undefined}`;
     let picture = this.#pictures.get(key);
     if (!picture) {
-      picture = thumbnail(model.mesh, field, 'viridis');
+      picture = this.#thumbnail(model.mesh, field, 'viridis');
       this.#pictures.set(key, picture);
     }
     return picture;

@@ -8,7 +8,6 @@ import { plural } from '../../model/model-words.js';
 import { colourParts, partColours } from './part-colours.js';
 import { PlaceList } from '../../widgets/place-list.js';
 import { stemOf } from '../../export/save-file.js';
-import { cutUncrossed } from './uncrossed-cut.js';
 import { saveFiles } from '../../export/zip-files.js';
 
 const formats: Record<CutFormat, string> = {
@@ -140,6 +139,7 @@ export class CutParts {
         this.#changed();
         return;
       }
+      const { cutUncrossed } = await import('./uncrossed-cut.js');
       const cutAlong = (some: SurfacePoint[][]): Promise<Cut> => viewer.cut(some, { cap });
       const [{ cut, used }, tips] = await Promise.all([
         cutUncrossed(curves, cutAlong),
