@@ -163,6 +163,7 @@ const main = [
   'field torus.obj --field thickness --sharp 30 -o values.json --positions --unit mm --in cm --scale 2',
   'field torus.obj --field geofarthest --exact --maxima 3 --json --close-holes --component 0 -q',
   'field torus.zip --entry torus.obj --field geoaverage -o - --format csv --height 900mm --up z',
+  'field torus.obj --field distance --from 3,40 --radius 2 -o values.csv',
   'field torus.obj --field angle --persistence 2% --subdivide 700 -o values.ply --weld 0.01 --min-component 1e-3',
 ];
 
