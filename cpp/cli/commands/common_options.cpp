@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "girth/parallel.h"
+#include "process/report.h"
 #include "text/length_text.h"
 
 namespace girth::cli {
@@ -39,6 +40,23 @@ std::optional<Error> readLength(const std::string& text, const std::string& unit
   if (!read) return read.error();
   length = read.value();
   return std::nullopt;
+}
+
+Result<std::size_t> numberWithin(std::int64_t number, std::size_t count, const std::string& things,
+                                 const std::string& none) {
+  const std::string thing = things.substr(0, things.size() - 1);
+  if (number >= 0 && static_cast<std::uint64_t>(number) < count) {
+    return static_cast<std::size_t>(number);
+  }
+  if (count == 0) return usageError("there is no " + thing + " " + std::to_string(number), none);
+  const std::string last = std::to_string(count - 1);
+  if (static_cast<std::uint64_t>(number) == count) {
+    printNote("", things + " count from 0: " + std::to_string(number) + " is taken as the last, " +
+                      last + ", as before 1.0");
+    return count - 1;
+  }
+  return usageError("there is no " + thing + " " + std::to_string(number),
+                    things + " are numbered from 0 to " + last + ", as girth " + things + " lists");
 }
 
 void addJobsOption(OptionTable& table, unsigned& jobs) {

@@ -1,6 +1,8 @@
 // Options that several commands have.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +29,12 @@ Option& addLengthOption(OptionTable& table, std::string_view declaration, std::s
 
 /// Reads such a length in a unit; leaves `length` as it is where none was given. Error: USAGE.
 std::optional<Error> readLength(const std::string& text, const std::string& unit, double& length);
+
+/// The index of a listed thing that was asked for by its number, from 0. `things`: their name, such
+/// as "necks"; `none`: the remedy where there are none. The number behind the last stands for the
+/// last, with a note, since numbers counted from 1 before 1.0. Error: USAGE.
+Result<std::size_t> numberWithin(std::int64_t number, std::size_t count, const std::string& things,
+                                 const std::string& none);
 
 /// Adds `--jobs`, for commands that take many models.
 void addJobsOption(OptionTable& table, unsigned& jobs);

@@ -72,14 +72,10 @@ Result<std::vector<SurfaceCurve>> neckCurves(const Options& options, const io::L
     for (const Neck& neck : necks) curves.push_back(neck.points);
     return curves;
   }
-  if (*options.neck < 0 || *options.neck >= static_cast<std::int64_t>(necks.size())) {
-    return usageError("there is no neck " + std::to_string(*options.neck),
-                      necks.empty()
-                          ? "the model has none; name a vertex, whose loop is cut along"
-                          : "necks are numbered from 0 to " + std::to_string(necks.size() - 1) +
-                                ", as girth necks lists");
-  }
-  curves.push_back(necks[static_cast<std::size_t>(*options.neck)].points);
+  const auto number = numberWithin(*options.neck, necks.size(), "necks",
+                                   "the model has none; name a vertex, whose loop is cut along");
+  if (!number) return number.error();
+  curves.push_back(necks[number.value()].points);
   return curves;
 }
 
@@ -99,14 +95,10 @@ Result<std::vector<SurfaceCurve>> handleCurves(const Options& options,
     }
     return curves;
   }
-  if (*options.handle < 0 || *options.handle >= static_cast<std::int64_t>(handles.size())) {
-    return usageError("there is no handle " + std::to_string(*options.handle),
-                      handles.empty()
-                          ? "the model has none"
-                          : "handles and tunnels are numbered from 0 to " +
-                                std::to_string(handles.size() - 1) + ", as girth handles lists");
-  }
-  curves.push_back(handles[static_cast<std::size_t>(*options.handle)].points);
+  const auto number =
+      numberWithin(*options.handle, handles.size(), "handles", "the model has none");
+  if (!number) return number.error();
+  curves.push_back(handles[number.value()].points);
   return curves;
 }
 

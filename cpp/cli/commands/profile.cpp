@@ -85,15 +85,10 @@ Result<std::vector<AxisStation>> axisOf(const Options& options, const SurfaceMes
                 {static_cast<Index>(options.profile.samples)}, watched(options.threads, progress));
   if (!found) return found.error();
   const std::vector<Limb>& limbs = found.value().limbs;
-  if (*options.limb < 0 || *options.limb >= static_cast<std::int64_t>(limbs.size())) {
-    return usageError("there is no limb " + std::to_string(*options.limb),
-                      limbs.empty()
-                          ? "the model has none; name points of a path"
-                          : "limbs are numbered from 0 to " + std::to_string(limbs.size() - 1) +
-                                ", as girth limbs lists");
-  }
-  return limbAxis(mesh, limbs[static_cast<std::size_t>(*options.limb)].profile,
-                  watched(options.threads, progress));
+  const auto number = numberWithin(*options.limb, limbs.size(), "limbs",
+                                   "the model has none; name points of a path");
+  if (!number) return number.error();
+  return limbAxis(mesh, limbs[number.value()].profile, watched(options.threads, progress));
 }
 
 void printAxis(const Options& options, const io::LoadedMesh& loaded,

@@ -38,8 +38,11 @@ TEST_F(Command, aFrameIsCutAlongItsHandle) {
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(parts[0]["genus"], 0);
   EXPECT_EQ(parts[0]["boundaries"], 0);
+  EXPECT_TRUE(contains(run({"cut", model, "--handle", "3"}).errors,
+                       "there is no handle 3; handles are numbered from 0 to 1"));
+  // Before 1.0 numbers counted from 1.
   EXPECT_TRUE(contains(run({"cut", model, "--handle", "2"}).errors,
-                       "there is no handle 2; handles and tunnels are numbered from 0 to 1"));
+                       "handles count from 0: 2 is taken as the last, 1, as before 1.0"));
   const Outcome none = run({"cut", kData + "/prism.obj", "--handle", "0"});
   EXPECT_EQ(none.exitCode, 1);
   EXPECT_TRUE(contains(none.errors, "there is no handle 0; the model has none")) << none.errors;

@@ -76,7 +76,7 @@ TEST_F(Command, whatCannotBeCutIsNamed) {
   refused({}, "no loop is named");
   refused({"99"}, "there is no vertex 99; its vertices are numbered from 0 to 17");
   refused({"-1"}, "");
-  refused({"--neck", "1"}, "there is no neck 1; necks are numbered from 0 to 0");
+  refused({"--neck", "2"}, "there is no neck 2; necks are numbered from 0 to 0");
   refused({"--neck=-1"}, "there is no neck -1");
   const Outcome beyond = run({"cut", model, "--at", "100", "-o", path("uncut.obj")});
   EXPECT_EQ(beyond.exitCode, 2) << beyond.errors;
