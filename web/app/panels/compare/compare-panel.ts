@@ -21,7 +21,7 @@ import type { thumbnail } from './thumbnail.js';
 
 /** More models than these are too many for workers that keep them all. */
 export const mostModels = 24;
-/** What models are compared by: fields, by the difference of their distributions (equation 1) … */
+/** Fields that models are compared by: the difference of their distributions (equation 1) … */
 const comparedFields = ['igf', 'sdf', 'geoaverage', 'geofarthest'] as const;
 /** … and the paper's other descriptors, which have distances but no single distribution. */
 const descriptors: Record<string, string> = {
@@ -179,7 +179,7 @@ export class ComparePanel {
     return comparedFields.find((name) => name === descriptor) ?? 'igf';
   }
 
-  /** What the distances are made of. */
+  /** The name of the field or descriptor that the distances are made of. */
   get #descriptor(): string {
     return this.#choice.text;
   }

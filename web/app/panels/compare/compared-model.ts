@@ -4,7 +4,7 @@ import type { Field, FieldName, Kernel, Mesh } from '../../../src/kernel/index.j
 import { failureWords } from '../../widgets/failure-words.js';
 import type { Opened } from '../../model/session.js';
 
-/** What a compared model needs of the page. */
+/** The page, as far as a compared model needs it. */
 export interface ComparedModelHost {
   /** A field that the page has of the model, or is computing; undefined where it shows another one. */
   fieldOf(name: FieldName): Promise<Field> | undefined;

@@ -49,7 +49,7 @@ import { SecondField } from './second-field.js';
 import { SignatureChoice } from './signature-choice.js';
 import { type TermName, explains } from '../../help/terms.js';
 
-/** What can colour the surface. */
+/** Names of all that can colour the surface. */
 const shownNames: readonly ShownName[] = [...fieldNames, ...derivedNames, 'none'];
 /** Names in the list that differ from those in the legend. */
 const listWords: Partial<Record<ShownName, string>> = {
@@ -58,7 +58,7 @@ const listWords: Partial<Record<ShownName, string>> = {
   parts: 'Tubes and plates',
   none: 'None',
 };
-/** What the list's choice is explained by. */
+/** The term that explains each choice of the list. */
 const fieldTerms: Partial<Record<ShownName, TermName>> = {
   igf: 'girth',
   sdf: 'sdf',
@@ -81,7 +81,7 @@ const interval = 200;
 /** Or so many times what a picture took. */
 const rest = 15;
 
-/** What the panel needs of the page. */
+/** The page, as far as the panel needs it. */
 export interface FieldPage {
   /** The kinds of the present parts; undefined where there are none. */
   partKinds(): Uint8Array | undefined;
@@ -98,7 +98,7 @@ export class FieldPanel {
   readonly #categories = new CategoryShares();
   readonly #second: SecondField;
   readonly #ofFile = make('optgroup', { label: 'Of the file', hidden: '' });
-  /** What only a refined girth has. */
+  /** The option that only a refined girth has. */
   readonly #states: HTMLOptionElement;
   readonly #signature: SignatureChoice;
   readonly #method: MethodChoice;
@@ -128,7 +128,7 @@ export class FieldPanel {
   readonly #isolinesDraft: Draft;
   #kind: DistributionKind = 'histogram';
   #areas: Float64Array | undefined;
-  /** What coloured the surface before a panel wanted something else. */
+  /** The name that coloured the surface before a panel wanted something else. */
   #before: ShownName | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** The range of values that is marked. */
@@ -265,7 +265,7 @@ export class FieldPanel {
     });
   }
 
-  /** What colours the surface. */
+  /** The histogram of the values that colour the surface. */
   get plots(): PagePlot[] {
     const format = (value: number): string => axisNumber(value, this.#format);
     const { unit } = this.#format;
@@ -488,7 +488,7 @@ export class FieldPanel {
   #brushed(range: [number, number] | undefined): void {
     this.#brush = range;
     if (this.#marking) return;
-    // What a hand marks is in the next frame; once a frame is enough: a finger moves more often.
+    // A marked range shows in the next frame; a finger moves more often than frames come.
     if (range) this.#mark();
     this.#marking = requestAnimationFrame(() => {
       this.#marking = 0;

@@ -14,7 +14,7 @@ import { Draft } from '../../widgets/draft.js';
 import { kernel } from '../../model/kernel.js';
 import { memoryWords, mostMemory, refinedMemory } from './refined-memory.js';
 
-/** What the methods change. */
+/** The shown names that a method changes. */
 const concerned = new Set(['igf', 'kind', 'state', 'tips', 'parts']);
 const methods: readonly [GirthMethod, string][] = [
   ['coarse', 'on fewer triangles'],
@@ -43,7 +43,7 @@ export class MethodChoice {
       this.#said,
     );
     viewer.addEventListener('field', ({ detail: { name, share } }) => {
-      // What was there before is there again at once.
+      // The girth of fewer triangles is shown again at once when the refined one is stopped.
       const isStopped = name === 'igf' && share < 1 && this.method === 'refined';
       if (isStopped && viewer.shown) this.#choose('coarse');
     });
@@ -59,7 +59,7 @@ export class MethodChoice {
     return methods.find(([method]) => method === text)?.[0] ?? 'exact';
   }
 
-  /** What the page does unless somebody chooses. */
+  /** The method that the page uses unless somebody chooses. */
   get #usual(): GirthMethod {
     return usualMethod(this.#store.held.facts);
   }
@@ -101,14 +101,14 @@ export class MethodChoice {
   }
 }
 
-/** What is being done. */
+/** A sentence on the method while it computes; '' for few triangles. */
 function wordsBefore(method: GirthMethod, { vertexCount }: MeshInfo): string {
   if (method === 'refined') return 'The colours are those of fewer triangles until it is done.';
   if (method === 'coarse') return '';
   return `Exact at each of ${formatCount(vertexCount)} vertices: this may take hours.`;
 }
 
-/** What was done, and what else there is. */
+/** A sentence on what was computed, and on the refined method where it is still to be had. */
 function wordsOf(field: Field, info: MeshInfo, threads: number): string {
   if ('audit' in field) return auditWords((field as RefinedGirth).audit);
   // The refined method knows no persistence; and of what was computed exactly nothing is to be said.
@@ -121,7 +121,7 @@ function wordsOf(field: Field, info: MeshInfo, threads: number): string {
   );
 }
 
-/** What the audit has found, in a sentence; '' where there was none. */
+/** The finding of the audit, in a sentence; '' where there was none. */
 function auditWords({ vertices, equal }: GirthAudit): string {
   if (vertices === 0) return '';
   return (

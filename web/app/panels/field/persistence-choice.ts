@@ -41,7 +41,7 @@ export class PersistenceChoice {
   readonly #draft: Draft;
   /** Whether the saddles of all vertices are there: then the surface follows the hand. */
   #isKept = false;
-  /** What is to be shown once they are, in percent. */
+  /** The persistence to show once all saddles are there, in percent. */
   #awaited: number | undefined;
   #painting = 0;
   #name = 'igf';
@@ -106,7 +106,7 @@ export class PersistenceChoice {
     this.#slider.setAttribute('aria-valuetext', this.#words.textContent);
   }
 
-  /** What the hand passes over on its way is shown, and is no state. */
+  /** Shows a persistence while the hand passes over it; the state does not take it. */
   #paint(text: string | undefined): void {
     if ((text ?? '') !== (this.#viewer.getAttribute('persistence') ?? '')) {
       setAttribute(this.#viewer, 'persistence', text);
@@ -124,7 +124,7 @@ export class PersistenceChoice {
     const viewer = this.#viewer;
     const { info } = viewer;
     if (!info || percent === this.#wanted) return;
-    // Of few triangles they are found as quickly as they could be kept.
+    // Saddles of few triangles are found as quickly as they could be kept.
     const isExact = !viewer.hasAttribute('method');
     if (percent > 0 && !this.#isKept && isExact) {
       const isWaiting = this.#awaited !== undefined;

@@ -12,7 +12,7 @@ export interface RangeEvents {
   moved(low: number, high: number): void;
   /** A value from what was typed, or why it is none. */
   read(text: string): { value: number } | { fault: string };
-  /** What was typed is no end, for this reason, and nothing was changed; '' once that is over. */
+  /** The typed text is no end, for this reason, and changed nothing; '' once that is over. */
   wrong(why: string): void;
 }
 

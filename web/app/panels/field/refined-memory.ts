@@ -22,7 +22,7 @@ export function refinedMemory(
   girth: Float64Array,
   threads: number,
 ): number {
-  // Of triangles with equal sides.
+  // The edge of triangles with equal sides.
   const edge = Math.sqrt(((4 / Math.sqrt(3)) * area) / faceCount);
   let [sum, count] = [0, 0];
   const step = Math.max(1, Math.floor(girth.length / enough));

@@ -19,7 +19,7 @@ export class SecondField {
   readonly element = make('div', { class: 'row second' });
   readonly #list = make('select', { id: 'second-field', 'aria-label': 'Compared with' });
   readonly #draft: Draft;
-  /** What is compared. */
+  /** The field that the second one is compared with. */
   #first: ShownName = 'igf';
   #offered = '';
   readonly #viewer: GirthViewer;
@@ -46,7 +46,7 @@ export class SecondField {
     this.#draft.show(combined ? signs[combined.by] + combined.second : '');
   }
 
-  /** What is shown where another field is chosen: compared with the same one, if that can be. */
+  /** The name to show for another first field: compared with the same second one, if possible. */
   instead(first: ShownName): ShownName {
     const name = `${first}${this.#draft.text}`;
     return isShownName(name) ? name : first;

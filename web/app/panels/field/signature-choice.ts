@@ -6,7 +6,7 @@ import type { Store } from '../../state/store.js';
 import { Draft } from '../../widgets/draft.js';
 
 interface Signature {
-  /** Of the element, and of the page's state. */
+  /** The name of the element's attribute, and of its key in the page's state. */
   attribute: 'time' | 'energy' | 'component';
   label: string;
   steps: number;
@@ -17,7 +17,10 @@ interface Signature {
   words: (number: number) => string;
 }
 
-/** Of heat, ten steps for each power of ten, from the time at which only points are seen to the whole shape. */
+/**
+ * Times of heat: ten steps for each power of ten. At the shortest only points are seen, at the
+ * longest the whole shape.
+ */
 const [shortest, perPower] = [1e-4, 10];
 
 function counted(

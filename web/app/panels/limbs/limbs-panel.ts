@@ -16,7 +16,7 @@ import { TableActions } from '../../widgets/table-actions.js';
 import { type Table, columnOf } from '../../widgets/table-text.js';
 import { term } from '../../help/terms.js';
 
-/** What follows 'Limb 3 ends ...'. */
+/** The words that follow 'Limb 3 ends ...'. */
 const endWords: Record<LimbEnd, string> = {
   spreads: 'where it spreads into a thicker part',
   slips: 'where loops slip off to other parts',
@@ -25,7 +25,7 @@ const endWords: Record<LimbEnd, string> = {
   boundary: 'at the boundary of the surface',
   whole: 'nowhere: it is the whole shape',
 };
-/** What the numbers of a limb are. */
+/** The lengths that are listed for a limb. */
 const measures = ['length', 'narrowest', 'median', 'base'] as const;
 const measureWords = { length: 'Length', narrowest: 'Narrowest', median: 'Median', base: 'Base' };
 /** More limbs than these are only counted. */
@@ -41,7 +41,7 @@ interface Row {
   choose: HTMLButtonElement;
   words: HTMLElement;
   axis: HTMLButtonElement;
-  /** What is shown along it stands here. */
+  /** The cell, as wide as the table, of the plot along the limb. */
   wide: HTMLElement;
   cells: HTMLElement[];
 }
@@ -60,7 +60,7 @@ export class LimbsPanel {
   readonly #axis: LimbAxisProfile;
   #rows: Row[] = [];
   #selected: Row | undefined;
-  /** Of each vertex the row of the shortest limb that it lies in, and how far from the apex. */
+  /** For each vertex the row of its shortest limb, and its distance from the limb's apex. */
   #places: Map<number, { row: Row; distance: number }> = new Map();
   readonly #viewer: GirthViewer;
   readonly #store: Store;
@@ -117,7 +117,7 @@ export class LimbsPanel {
     });
     store.watch(['axis'], () => this.#showAxis());
     store.watch(['persistence', 'method'], () => {
-      // Of another girth there are other limbs.
+      // Another girth has other limbs.
       if (this.#search.found && !this.#search.isCurrent) this.clear();
       if (this.panel.isOpen) this.#search.start();
     });

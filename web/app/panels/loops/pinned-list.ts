@@ -108,12 +108,12 @@ export class PinnedList {
     return pinned.map(({ loop }) => formatLength(loop.length, lengthFormat).replace('\u202f', ' '));
   }
 
-  /** Those that are being pinned come before any that the state asks for. */
+  /** Takes note of loops that are being pinned: they come before any that the state asks for. */
   adopting(work: Promise<unknown>): void {
     this.#adopting = work;
   }
 
-  /** What is pinned by hand is in the state; what the state asks for stays there until it is pinned. */
+  /** Puts pinned loops into the state; loops that it asks for stay there until they are pinned. */
   #keep(): void {
     if (this.#isFollowing) return;
     const { loops = [], names = [] } = this.#store.shown;

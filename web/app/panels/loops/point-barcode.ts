@@ -21,7 +21,7 @@ export class PointBarcode {
   /** Where the bars' axis begins and ends. */
   readonly #ends = make('p', { class: 'bar-ends' });
   readonly #words = make('p', { class: 'said', role: 'status' });
-  /** What the bars are of. */
+  /** The number of the pinned loop whose bars are shown; '' for none. */
   #shownFor = '';
   #barcode: Barcode | undefined;
   /** The bar that is pointed at, or has the focus: its loop is on the surface. */

@@ -25,10 +25,10 @@ export class PointList {
     return this.#draft.text;
   }
 
-  /** What is chosen stays so as long as no point has come or gone; then it is `usual`. */
+  /** Keeps the choice as long as no point has come or gone; then `usual` is chosen. */
   show(points: readonly NamedPoint[], usual: number): void {
     const words = JSON.stringify(points);
-    // The same options again would close a list that is open.
+    // Equal options, set again, would close a list that is open.
     if (words === this.#words) return;
     this.#words = words;
     const ids = points.map(({ id }) => id).join();

@@ -1,4 +1,4 @@
-// What is left of a surface that was cut: its parts as a list and as colours, and as files.
+// The parts of a surface that was cut: as a list, as colours and as files.
 
 import { type GirthViewer, make } from '../../../src/element/index.js';
 import type { Cut, CutFormat, SurfacePoint, Tips } from '../../../src/kernel/index.js';
@@ -27,9 +27,9 @@ interface ShownCut {
   curves: SurfacePoint[][];
   cap: boolean;
   parts: Cut['parts'];
-  /** Of each part the number of its colour. */
+  /** For each part the number of its colour. */
   colours: number[];
-  /** Of each part how many tips it has. */
+  /** For each part the number of its tips. */
   tips: number[];
 }
 
@@ -39,11 +39,11 @@ function tipsIn(parts: Cut['parts'], { tips }: Tips): number[] {
   return parts.map(({ vertices }) => vertices.filter((vertex) => apexes.has(vertex)).length);
 }
 
-/** What a surface is cut along. */
+/** The curves that a surface is cut along. */
 export interface CutCurves {
-  /** Those that matter most first: where two cross, the first one counts. */
+  /** Curves by rank: where two cross, the earlier one counts. */
   curves: SurfacePoint[][];
-  /** What several of them are, and what is said of one that is passed over. */
+  /** The word for several of the curves; it decides what is said of one that is passed over. */
   are: 'necks' | 'loops';
 }
 
@@ -52,7 +52,7 @@ const passing: Record<CutCurves['are'], string> = {
   loops: 'one that was pinned before',
 };
 
-/** What was done, where `used` of `wanted` loops were cut along. */
+/** A sentence on the cut, where `used` of `wanted` loops were cut along. */
 function cutWords(parts: number, wanted: number, used: number, are: CutCurves['are']): string {
   const crossing = wanted - used;
   const said =
@@ -180,7 +180,7 @@ export class CutParts {
     );
   }
 
-  /** Of a part's vertices those of the whole surface. */
+  /** The vertices of a part that the whole surface has, too. */
   #present(vertices: Uint32Array): Uint32Array {
     const { vertexCount } = this.#viewer.info!;
     return vertices.filter((vertex) => vertex < vertexCount);

@@ -11,7 +11,7 @@ const done: Record<HandleKind, (count: number) => string> = {
   unknown: (count) => `${plural(count, 'loop', 'loops')} of unknown kind cut`,
 };
 
-/** What was done, without a full stop. */
+/** The result of a removal in words, without a full stop. */
 export function removalWords(removal: HandleRemoval): string {
   const { removed, genusBefore, genusAfter, crossingFaces } = removal;
   const counts = (['handle', 'tunnel', 'unknown'] as const).map((kind) => {

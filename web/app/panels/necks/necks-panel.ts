@@ -199,7 +199,7 @@ export class NecksPanel {
       this.#keep();
     });
     store.watch(['persistence', 'method'], () => {
-      // Of another girth there are other necks.
+      // Another girth has other necks.
       if (this.#search.found && !this.#search.isCurrent) this.#forget();
       if (this.panel.isOpen) this.#search.start();
     });
@@ -226,7 +226,7 @@ export class NecksPanel {
     };
   }
 
-  /** What is shown by hand now is the state. */
+  /** Puts into the state what is shown by hand now. */
   #keep(): void {
     if (this.#isFollowing) return;
     this.#store.choose({
@@ -237,7 +237,7 @@ export class NecksPanel {
     });
   }
 
-  /** The same as attributes of an element. */
+  /** The question between points as attributes of an element. */
   get attributes(): ViewerState {
     return this.#between.attributes;
   }
@@ -459,7 +459,7 @@ export class NecksPanel {
     return `${kind}:${1 + all.indexOf(loop)}`;
   }
 
-  /** Those that are pinned and go round. */
+  /** The pinned loops that go round. */
   get #pinnedLoops(): Loop[] {
     const { info, pinned } = this.#viewer;
     return info ? pinned.map(({ loop }) => loop).filter(({ kind }) => kind === 'loop') : [];
@@ -476,7 +476,7 @@ export class NecksPanel {
     }
   }
 
-  /** What is cut along; undefined where that is not there, or not yet. */
+  /** The curves to cut along; undefined where they are absent, or not found yet. */
   #curvesOf(wish: CutWish): CutCurves | Promise<CutCurves> | undefined {
     const girth = girthOfCut(wish);
     if (girth !== undefined) return this.#level(girth);

@@ -4,7 +4,7 @@ import type { CutPart } from '../../../src/kernel/index.js';
 
 export const partColours = ['#cfd0d3', '#0072b2', '#e69f00', '#d55e00'] as const;
 
-/** Of faces and vertices that cutting has made. */
+/** The number of faces and vertices that cutting has made. */
 const none = 0xffffffff;
 
 /** For each part those that it was cut from: pieces of one face are in both, or their vertices are. */

@@ -28,7 +28,7 @@ const kindWords = {
   pass: 'a narrow place between the points, no neck',
   end: 'at one of the points: no neck is between them',
 } as const;
-/** Of a path through more points only the ends are marked. */
+/** A path through more points than these has only its ends marked. */
 const mostMarked = 12;
 
 export interface TwoPointsEvents {
@@ -173,7 +173,7 @@ export class TwoPoints {
     return isWhole ? { [this.#question]: [...this.#points] } : {};
   }
 
-  /** The same as attributes of an element. */
+  /** The question and its points as attributes of an element. */
   get attributes(): ViewerState {
     const { bottleneck, profile } = this.asked;
     return {
@@ -320,7 +320,7 @@ export class TwoPoints {
       this.#viewer.showLoop();
       this.#answer(question);
     } catch {
-      // Who has asked for something else since has points of its own.
+      // A choice that was begun since has points of its own.
       if (this.#choosing !== choosing) return;
       this.#points = [];
       this.mark(true);
@@ -381,7 +381,7 @@ export class TwoPoints {
     this.#draw.setAttribute('aria-pressed', String(this.#drawing.isDrawing));
   }
 
-  /** What there is. */
+  /** Shows the answer that there is. */
   #show(): void {
     const profile = this.#profile;
     this.#other.hidden = this.#search.found === undefined;

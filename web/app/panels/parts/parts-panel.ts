@@ -23,7 +23,7 @@ import { plainNumber } from '../../widgets/table-text.js';
 import { explains, term } from '../../help/terms.js';
 import { ThresholdSlider } from '../../widgets/threshold-slider.js';
 
-/** What a vertex's neighbourhood may weigh against it. */
+/** The weights that a vertex's neighbourhood may have against its own. */
 const smoothings: [number, string][] = [
   [0, 'unsmoothed'],
   [0.5, 'smoothed, weight 0.5'],
@@ -31,7 +31,7 @@ const smoothings: [number, string][] = [
   [2, 'smoothed, weight 2'],
 ];
 
-/** What the panel needs of the page. */
+/** The page, as far as the panel needs it. */
 export interface PartsPage {
   /** Other parts than before were found. */
   found(): void;
@@ -154,11 +154,11 @@ export class PartsPanel {
     this.clear();
   }
 
-  /** What each vertex is, by the present parts; undefined where there are none yet. */
   get plots(): PagePlot[] {
     return [{ word: 'parts', svg: (width) => this.#plot.svg(width) }];
   }
 
+  /** The kind of each vertex, by the present parts; undefined where there are none yet. */
   get kinds(): Uint8Array | undefined {
     return this.#found?.kinds;
   }

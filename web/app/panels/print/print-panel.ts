@@ -29,7 +29,7 @@ import type { Store } from '../../state/store.js';
 /** Places that get a picture in the list, and in the report. */
 const picturedPlaces = 12;
 const reportedPlaces = 60;
-/** What the surface is coloured by once it is checked. */
+/** The categories that colour the surface once it is checked. */
 const kinds: readonly Category[] = [
   { name: 'thick enough', colour: '#cfd0d3', hatched: false },
   { name: 'thin tube', colour: '#d55e00', hatched: true },
@@ -62,7 +62,7 @@ export class PrintPanel {
   readonly #list = new PlaceList('Places that are too thin');
   readonly #reports: HTMLElement;
   #checked: Checked | undefined;
-  /** What is to be known of the thickness. */
+  /** A caution about the thickness; '' for none. */
   #note = '';
   #asked = 0;
   /** The model that is coloured by its places. */
@@ -152,7 +152,7 @@ export class PrintPanel {
     return [this.#tube, this.#wall, this.#gap];
   }
 
-  /** What can be printed, as the state has it. */
+  /** The limits of the printer, as the state has them. */
   get #limits(): Pick<PageState, 'tube' | 'wall' | 'gap' | 'printer'> {
     return {
       tube: this.#tube.length || undefined,
@@ -213,7 +213,7 @@ export class PrintPanel {
     }
   }
 
-  /** Of the model, as the limits have it. */
+  /** The unit of the model that the limits are for. */
   #unit = '';
 
   #choosePreset(name: string): void {
@@ -275,7 +275,7 @@ export class PrintPanel {
     this.#coloured = info;
     const kindOf = new Uint8Array(info.vertexCount);
     for (const { kind, vertices } of this.#checked.check.places) {
-      // What is thin as a tube or a wall stays that, whatever is beside it.
+      // Thin tubes and walls keep their kind, whatever else a vertex is in.
       for (const vertex of vertices) kindOf[vertex] ||= kindCodes[kind];
     }
     viewer.showPlaces({ title: 'Print check', kinds: kindOf, categories: kinds });
@@ -300,7 +300,7 @@ export class PrintPanel {
     this.#grow.textContent = `Make it ${scaleWords(passingScale)}${passingScale < 10 ? '' : ' as large'}`;
   }
 
-  /** What stands in the way of trusting the answer. */
+  /** The reasons not to trust the answer, a sentence each. */
   #words(): string[] {
     const { info, unit } = this.#viewer;
     if (!info) return [];
@@ -326,7 +326,7 @@ export class PrintPanel {
   async #run(): Promise<void> {
     const [viewer, tube, wall, gap] = [this.#viewer, this.#tube, this.#wall, this.#gap];
     const { info } = viewer;
-    // What was typed counts, whether or not the field has been left.
+    // A typed text counts, whether or not its field has been left.
     const wrong = this.#inputs.filter((input) => !input.commit())[0];
     // An older answer is none to what is asked now.
     this.#forget();

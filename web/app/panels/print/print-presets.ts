@@ -1,5 +1,5 @@
-// What usual printers and materials can make, each with the public source of its numbers: the least diameter of
-// a pin and the least thickness of a wall that stands free.
+// Limits of usual printers and materials, each with the public source of its numbers.
+// A limit is the least diameter of a pin, or the least thickness of a wall that stands free.
 
 export interface PrintPreset {
   /** In links. */

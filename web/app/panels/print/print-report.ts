@@ -17,14 +17,14 @@ export interface PrintReport {
   /** The file's name and what it is, in words. */
   model: string;
   facts: string;
-  /** What stands in the way of trusting the answer, a sentence each. */
+  /** The reasons not to trust the answer, a sentence each. */
   cautions: readonly string[];
   limits: PrintLimits;
   /** Whose numbers the limits are; '' for the reader's own. */
   source: string;
   check: PrintCheck;
   format: LengthFormat;
-  /** Those of the check that are listed. */
+  /** The places of the check that are listed. */
   places: readonly ReportedPlace[];
   /** The whole shape, a PNG as a data: address. */
   overview?: string | undefined;

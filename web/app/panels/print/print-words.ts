@@ -4,7 +4,7 @@ import type { PrintCheck, PrintLimits } from '../../../src/kernel/index.js';
 import { type LengthFormat, formatCount, formatLength } from '../../../src/element/plots.js';
 import { ofSize } from '../../model/model-size.js';
 
-/** What the least length of a place is. */
+/** The name of the least length of a place, for each kind. */
 export const measureNames = { tube: 'diameter', wall: 'thickness', gap: 'clearance' } as const;
 
 /** 'tubes from a diameter of 3.00 mm, walls from a thickness of 1.00 mm, gaps from 0.50 mm'. */

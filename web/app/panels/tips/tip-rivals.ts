@@ -1,4 +1,4 @@
-// What other ways find where a shape ends, beside the tips: the comparison of the paper's Figure 13.
+// Rivals of the tips: other ways to find where a shape ends, as in the paper's Figure 13.
 
 import { type GirthViewer, fieldTitle, formatLength, make } from '../../../src/element/index.js';
 import type { Maximum } from '../../../src/kernel/index.js';

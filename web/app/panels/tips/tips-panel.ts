@@ -15,7 +15,7 @@ import { TipRivals } from './tip-rivals.js';
 
 const steps = 200;
 
-/** What the panel needs of the page. */
+/** The page, as far as the panel needs it. */
 export interface TipsPage {
   /** The tips are known. */
   found(): void;
