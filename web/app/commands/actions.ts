@@ -7,17 +7,17 @@ import { shortcutsOf } from './shortcuts.js';
 import { surfaceActions } from './surface-keys.js';
 
 const controls = 'button, summary, select, input, a[href]';
-/** What was found and typed is content: rows of tables and lists, words that are explained. */
+/** Content is no command: rows of tables and lists, typed values, words that are explained. */
 const content =
   'table, .places, .matrix, .term, .link, .parts, .sliders, [type=file], [type=range]';
-/** Of what dialogs have only that of the help which has a name is for the page. */
+/** Controls of the tour and of dialogs are no commands; the help's links and those with an id are. */
 const elsewhere = '.tour *, dialog:not(#explanation) *, #explanation :not([id], a)';
 const places =
   'section[aria-label], [role=group][aria-label], [role=toolbar], .sheet, details, aside';
 
 /** All actions, in the order of the page. */
 export function actionsOf(viewer: GirthViewer): Action[] {
-  // What a closed sheet offers is what it would offer if it was opened now.
+  // A closed sheet has to offer the commands that it would offer if it was opened now.
   for (const sheet of document.querySelectorAll('.sheet:not(:popover-open)')) {
     sheet.dispatchEvent(new ToggleEvent('beforetoggle', { oldState: 'closed', newState: 'open' }));
   }
@@ -97,7 +97,7 @@ function choose(list: HTMLSelectElement, option: HTMLOptionElement): void {
   list.dispatchEvent(new Event('change', { bubbles: true }));
 }
 
-/** What a control is called. */
+/** The name of a control. */
 function wordsOf(control: HTMLElement): string {
   const label = (control as Partial<HTMLInputElement>).labels?.[0];
   const named = control.getAttribute('aria-label') ?? textOf(label ?? control);

@@ -1,10 +1,12 @@
 // How well words answer a search in which letters may be left out: 'mgm' finds 'magma'.
 
-/** What a letter is worth: at the beginning of a word, right behind the one before, and elsewhere. */
+/**
+ * The worth of a letter: at the beginning of a word, right behind the one before, and elsewhere.
+ */
 const atBeginning = 8;
 const inRow = 6;
 const elsewhere = 1;
-/** What a letter that is passed over costs; no gap costs more than a word. */
+/** The cost of each letter that is passed over; no gap costs more than `longestGap` letters. */
 const perGap = 0.3;
 const longestGap = 10;
 
@@ -13,7 +15,7 @@ function plain(text: string): string {
   return text.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase();
 }
 
-/** Of one searched word from a place on; undefined where its letters do not come in their order. */
+/** The score of a searched word from a place on; undefined where its letters are not in order. */
 function scoreFrom(word: string, text: string, start: number): number | undefined {
   let score = 0;
   let last = start - 1;

@@ -4,11 +4,11 @@
 import type { GirthViewer } from '../../src/element/index.js';
 import { isPressed, keyWords, shortcutsOf, usualHere } from './shortcuts.js';
 
-/** What takes letters, digits or arrows for itself. */
+/** Controls that take letters, digits or arrows for themselves. */
 const taking =
   'input:not([type=checkbox], [type=button]), select, textarea, [contenteditable], dialog, ' +
   '[popover], [role=slider], [role=grid], [role=listbox], [role=radiogroup], [role=tablist]';
-/** What Enter and Delete do is up to the control that has the focus. */
+/** Controls that act on Enter or Delete themselves while they have the focus. */
 const acting = 'a, button, summary, input, label';
 /** Text is undone by the browser, where it is typed; other keys with Ctrl mean nothing there. */
 const typing =

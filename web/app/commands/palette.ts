@@ -9,7 +9,7 @@ import { keyWords, usualHere } from './shortcuts.js';
 
 /** Rows that Page Up and Page Down pass. */
 const page = 8;
-/** What a match in an action's own words counts for more than one in the names of its place. */
+/** The weight of a match in an action's own words over one in the names of its place. */
 const ownWords = 10;
 
 /** The keys of a shortcut. */
@@ -17,7 +17,7 @@ export function keyElements(shortcut: string): (Node | string)[] {
   return keyWords(shortcut).flatMap((key, i) => [...(i > 0 ? [' '] : []), make('kbd', {}, key)]);
 }
 
-/** Those that answer a search, the best first; all of them where nothing is searched. */
+/** The actions that answer a search, the best first; all where nothing is searched. */
 export function found(actions: readonly Action[], search: string): Action[] {
   if (search.trim() === '') return [...actions];
   const scored = actions.flatMap((action) => {

@@ -23,7 +23,7 @@ export function shortcutsOf(control: Element): Shortcut[] {
   return control.getAttribute('aria-keyshortcuts')?.split(' ') ?? [];
 }
 
-/** Those that this system's keyboards have: not both Ctrl and ⌘. */
+/** The shortcuts that this system's keyboards have: not both Ctrl and ⌘. */
 export function usualHere(shortcuts: readonly Shortcut[]): Shortcut[] {
   const foreign = isMac ? /^Control\+/ : /^Meta\+/;
   const own = shortcuts.filter((shortcut) => !foreign.test(shortcut));

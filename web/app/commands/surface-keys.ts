@@ -21,7 +21,7 @@ const keys = [
   ['Remove the loop that was pinned last', 'Delete'],
 ] as const;
 
-/** What they do to the surface. */
+/** The keys of the surface as actions. */
 export function surfaceActions(viewer: GirthViewer): Action[] {
   return keys.map(([words, shortcut]) => ({
     words,

@@ -1,4 +1,4 @@
-// What a picture of the surface has, and how large it is: for a screen, or for a column of a paper.
+// Choices for a picture of the surface: its parts, and its size on a screen or on paper.
 
 import { type DrawingOptions, type FigureOptions, make } from '../../src/element/index.js';
 import { Draft } from '../widgets/draft.js';
@@ -10,7 +10,7 @@ const widths = [
   [175, 'two columns: 175 mm at 300 dpi'],
 ] as const;
 const another = 'another';
-/** What can be typed: a stamp to a poster, which is as much as browsers draw. */
+/** Widths that can be typed, in millimetres: from a stamp to a poster, the most that browsers draw. */
 const narrowest = 20;
 const widest = 400;
 
@@ -51,7 +51,7 @@ export class FigureChoice {
     );
   }
 
-  /** The same of a drawing in lines; as on the screen is one column of a paper. */
+  /** The choices for a drawing in lines; as on the screen is one column of a paper. */
   get drawing(): DrawingOptions {
     const width = this.#millimetres;
     return {

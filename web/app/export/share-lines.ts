@@ -1,8 +1,8 @@
-// What is on the screen as lines of HTML for other pages: an element, and a frame.
+// Lines of HTML that show on other pages what is on the screen: an element, and a frame.
 
 import type { ViewerState } from '../../src/element/index.js';
 
-/** What concerns a visit rather than a figure. */
+/** Attributes that concern a visit rather than a figure. */
 const leftOut = new Set(['src', 'turn', 'keep-view']);
 
 function attributesOf(state: ViewerState): [name: string, value: string | true][] {

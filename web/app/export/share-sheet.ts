@@ -1,14 +1,14 @@
-// What is shown, for others: a link, and lines of HTML for pages of their own.
+// The sheet that shares the view: a link, and lines of HTML for other pages.
 
 import { make } from '../../src/element/index.js';
 import { copyText } from '../widgets/clipboard.js';
 import { byId } from '../widgets/dom.js';
 import { Draft } from '../widgets/draft.js';
 
-/** What can be shared of what is shown. */
+/** The forms in which the view can be shared. */
 export interface Shared {
   link: string;
-  /** What the link cannot have in it; undefined where it has all. */
+  /** The file that the link cannot have in it; undefined where it has all. */
   fileName: string | undefined;
   /** Undefined where an element would show something else. */
   element: string | undefined;

@@ -1,4 +1,5 @@
-// What the colours mean, in one line on the surface; and a loop that shows itself, until somebody does something.
+// The meaning of the colours in one line on the surface; and a loop that shows itself until
+// somebody does something.
 
 import {
   type ColormapName,
@@ -25,10 +26,10 @@ const mostVertices = 150_000;
 /** Milliseconds that the loop rests at each place. */
 const pace = 70;
 
-/** What the print check colours by, in place of a field. */
+/** The meaning of the print check's colours, which stand in place of a field. */
 const printWords = 'what is too thin to print, and what is thick enough';
 
-/** Of two fields in one. */
+/** The meaning of two fields combined in one; undefined for a single field. */
 function ofTwo(name: ShownName, colormap: ColormapName | undefined): string | undefined {
   const combined = combinationOf(name);
   if (!combined) return undefined;

@@ -120,7 +120,7 @@ function termOf(element: HTMLElement): TermName | undefined {
   return termNames.find((name) => name === element.dataset['term']);
 }
 
-/** What an event is about; undefined beside all terms. */
+/** The term that an event is about; undefined beside all terms. */
 function askedAt(event: Event): HTMLElement | undefined {
   const { target } = event;
   if (!(target instanceof Element)) return undefined;
@@ -174,7 +174,7 @@ class Explanation {
     });
     document.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape' || !this.#anchor) return;
-      // The same key closes the sheet that the word is on.
+      // Escape also closes the sheet that the word is on.
       this.#hide();
     });
     for (const moved of ['scroll', 'resize']) {

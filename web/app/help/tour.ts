@@ -4,7 +4,7 @@ import { type GirthViewer, make } from '../../src/element/index.js';
 import type { PanelName } from '../state/address-state.js';
 import { slideLoop } from './meaning.js';
 
-/** What a step says, and what it brings about. */
+/** A step: its words, and what it opens on the page. */
 interface Step {
   words: string;
   panel?: PanelName;
