@@ -11,13 +11,13 @@ import type { Opened } from './session.js';
 
 /** The name of what the two have in common. */
 const link = 'page';
-/** What the second shows as the first does. */
+/** Attributes that the second model takes over from the first. */
 const mirrored = [
   ...['unit', 'shown-unit', 'field', 'field-title', 'colormap', 'isolines', 'log', 'persistence'],
   ...['time', 'energy', 'component', 'edges', 'shading', 'section'],
 ];
 
-/** What the second model needs of the page. */
+/** The page, as far as the second model needs it. */
 export interface BesidePage {
   /** The built-in examples, with their titles. */
   gallery(): { opened: Opened; title: string }[];
@@ -46,7 +46,7 @@ export class Beside {
   readonly #missing = make('div', { class: 'missing', hidden: '' });
   readonly #missingOpen = make('button', { type: 'button', class: 'open' }, 'Open\u2009…');
   readonly #watch = new MutationObserver(() => this.#mirror());
-  /** What is shown beside, or on its way. */
+  /** The model that is shown beside, or on its way. */
   #opened: Opened | undefined;
   /** The name of a file that a link asks for and that cannot be had. */
   #wish: string | undefined;
@@ -93,7 +93,7 @@ export class Beside {
     await second
       .load(source, model === undefined ? { prepare } : { prepare, model })
       .then(({ name }) => announce(`${name} is beside it.`))
-      // What went wrong is written where the surface would be.
+      // A failure is written where the surface would be.
       .catch(() => undefined);
   }
 
@@ -108,7 +108,7 @@ export class Beside {
     this.#keep();
   }
 
-  /** What is shown beside is in the state. */
+  /** Puts into the state which model is beside. */
   #keep(): void {
     const none = { beside: undefined, besideFile: undefined, apart: false, oneScale: false };
     this.#store.choose({ ...none, ...this.#read() });
@@ -217,7 +217,7 @@ export class Beside {
     }
   }
 
-  /** What can be opened: a file, or an example. */
+  /** Lists what can be opened beside: a file, or an example. */
   #offer(): void {
     const chooser = byId<HTMLInputElement>('beside-file');
     const entry = (words: string, act: () => void): HTMLElement => {
@@ -230,7 +230,7 @@ export class Beside {
     };
     chooser.addEventListener('change', () => {
       const files = [...(chooser.files ?? [])];
-      // The same file may be chosen again after it was changed. Nobody types here.
+      // A file may be chosen again after it was changed. Nobody types here.
       // oxlint-disable-next-line girth/shown-text
       chooser.value = '';
       const [first] = files;

@@ -9,13 +9,13 @@ export type Files = readonly (File | FileWithPath)[];
 /** More files than this are not one model's: somebody has dropped the whole disk. */
 const mostFiles = 2000;
 
-/** What is dropped, as far as it is asked for here. */
+/** A drop, as far as it is read here. */
 export interface Dropped {
   readonly files: Iterable<File>;
   readonly items: Iterable<Pick<DataTransferItem, 'kind' | 'webkitGetAsEntry'>>;
 }
 
-/** Of browsers that have handles. */
+/** An item in browsers that have file handles. */
 interface ItemWithHandle {
   getAsFileSystemHandle?(): Promise<FileSystemHandle | null>;
 }
@@ -50,7 +50,7 @@ export function acceptDrops(curtain: HTMLElement, open: (files: Promise<Files>) 
     curtain.hidden = true;
     take(event.dataTransfer!);
   });
-  // What was dropped before, `start.ts` has.
+  // Files that were dropped before are with `start.ts`.
   window.dispatchEvent(new CustomEvent('takedrops', { detail: take }));
 }
 

@@ -11,7 +11,7 @@ export function acceptLaunches(open: (files: Promise<File[]>) => void): void {
   const { launchQueue } = window as { launchQueue?: LaunchQueue };
   launchQueue?.setConsumer(({ files: handles = [] }) => {
     const read = handles.map(async (handle) => keepHandle(await handle.getFile(), handle));
-    // What cannot be read is not there any more.
+    // Files that cannot be read are gone.
     const files = Promise.allSettled(read).then((results) =>
       results.flatMap((one) => (one.status === 'fulfilled' ? [one.value] : [])),
     );

@@ -9,10 +9,10 @@ import { modelFacts, plural, repairs, sizeWords } from './model-words.js';
 import { type ModelScale, SizeChoice } from './size-choice.js';
 import { plainNumber } from '../widgets/table-text.js';
 
-/** Of very many components the largest are offered. */
+/** The largest components are offered, and no more than these. */
 const mostParts = 100;
 
-/** What can be asked of the model that is shown. */
+/** Actions on the model that is shown. */
 export interface ModelActions {
   size: ModelScale;
   /** Opens another of the files that came together. */
@@ -24,10 +24,10 @@ export interface ModelActions {
   back(): void;
 }
 
-/** What the page knows of the model and the viewer does not. */
+/** The page's knowledge of the model, which the viewer does not have. */
 export interface ModelState {
   prepare: PrepareOptions;
-  /** What was done to the surface after it was read, step by step; none where it is the file's. */
+  /** The steps that made the surface after it was read; none where it is the file's. */
   made: readonly string[];
 }
 
@@ -86,7 +86,7 @@ export class ModelDetails {
     );
   }
 
-  /** What the unit changes; the controls stay as they are. */
+  /** Writes anew what the unit changes; the controls stay as they are. */
   #refresh(): void {
     if (!this.#shown) return;
     const { info, state } = this.#shown;

@@ -52,7 +52,7 @@ function grouped(scale: number): string {
   return scale < 1000 ? String(scale) : formatCount(Math.round(scale));
 }
 
-// What is a whole number but for rounding is that number.
+// A number that is whole but for rounding counts as whole.
 const nearly = 1e-9;
 
 function wholePercent(scale: number): number {

@@ -34,7 +34,7 @@ export function sizeWords({ size }: MeshInfo, format: LengthFormat): string {
     : formatLength(0, format);
 }
 
-/** What was done to the input, a line for each step that did anything; lengths in `format`. */
+/** The repairs of the input, a line for each step that did anything; lengths in `format`. */
 export function repairs(report: PreparationReport, format: LengthFormat): string[] {
   const lines: string[] = [];
   const say = (count: number, one: string, many: string, what: string): void => {

@@ -25,7 +25,7 @@ const version = 1;
 /** Bytes of the manifest, at most. */
 const mostOfManifest = 64_000_000;
 
-/** What a project has in it. */
+/** The content of a project. */
 export interface Project {
   /** The model's name, as links have it. */
   name: string;
@@ -33,11 +33,11 @@ export interface Project {
   files: readonly FileWithPath[];
   /** Which of several models in them. */
   model: string | undefined;
-  /** What was shown, and how the model was prepared. */
+  /** The state that was shown, with how the model was prepared. */
   state: PageState;
 }
 
-/** What was computed of a surface. */
+/** The results that were computed of a surface. */
 export interface Results {
   fields: readonly Field[];
   loops: readonly Loop[];
@@ -134,8 +134,8 @@ function filesIn(archive: Uint8Array): ZipFile[] {
 }
 
 /**
- * What a zip has in it as a project; undefined where it is none. Errors: MALFORMED_FILE, LIMIT_EXCEEDED, UNSUPPORTED_FEATURE
- * for a newer version.
+ * The project in a zip; undefined where it is none. Errors: MALFORMED_FILE, LIMIT_EXCEEDED,
+ * UNSUPPORTED_FEATURE for a newer version.
  */
 export function readProject(archive: Uint8Array): SavedProject | undefined {
   const all = filesIn(archive);
@@ -211,12 +211,12 @@ function fieldOf(
   };
 }
 
-/** What a project says of a refined girth besides; its states are a file of their own. */
+/** The facts that a project has of a refined girth besides; its states are a file of their own. */
 function refinementAbout({ audit, coarseFaces, leanFaces }: RefinedGirth): object {
   return { audit, coarseFaces, leanFaces };
 }
 
-/** What a refined girth has besides. */
+/** The parts that a refined girth has besides. */
 function refinement(
   about: Json,
   states: Uint8Array,

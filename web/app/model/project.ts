@@ -8,7 +8,7 @@ import type { ComputedFields } from './computed-fields.js';
 import { type SavedProject, readProject, spectralIn, writeProject } from './project-file.js';
 import type { Opened } from './session.js';
 
-/** What is shown, with its model's files and all fields and loops that are there. */
+/** A project of what is shown: its model's files and all fields and loops that are there. */
 export async function projectOf(
   viewer: GirthViewer,
   { source, model }: Opened,

@@ -10,7 +10,7 @@ import { handleOf, keepHandle } from './file-handles.js';
 import { recentPicture } from './recent-picture.js';
 import { type RecentFile, RecentStore, mostBytes } from './recent-store.js';
 
-/** What browsers that have handles ask before they are read again. */
+/** A file handle in browsers that ask the user before it is read again. */
 interface AskableHandle extends FileSystemFileHandle {
   queryPermission?(wish: { mode: 'read' }): Promise<PermissionState>;
   requestPermission?(wish: { mode: 'read' }): Promise<PermissionState>;
@@ -155,7 +155,7 @@ export class RecentFiles {
     this.#foot.hidden = false;
   }
 
-  /** Those of a row of the list. */
+  /** The buttons of a row of the list. */
   #buttonsOf(row: Element | null | undefined): HTMLButtonElement[] {
     return row && this.#list.contains(row) ? [...row.querySelectorAll('button')] : [];
   }

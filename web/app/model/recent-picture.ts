@@ -3,7 +3,7 @@
 import type { GirthViewer } from '../../src/element/index.js';
 
 const [width, height] = [144, 108];
-/** Of the picture that it is cut out of. */
+/** The width of the picture that the small one is cut out of. */
 const wide = 400;
 /** Fainter than this is shadow. */
 const faint = 60;

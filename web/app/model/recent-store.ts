@@ -9,9 +9,9 @@ export interface RecentFile {
   name: string;
   /** When it was opened last: milliseconds as of `Date.now`. */
   when: number;
-  /** Of all files together. */
+  /** The size of all files together. */
   bytes: number;
-  /** What it looked like. */
+  /** The surface as it looked. */
   picture?: Blob;
   /** Either where it is to be read again, or a copy; several have paths. */
   handle?: FileSystemFileHandle;

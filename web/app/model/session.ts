@@ -13,7 +13,7 @@ export interface Opened {
   /** Which of several models that came together. */
   model?: string | undefined;
   prepare: PrepareOptions;
-  /** What was done to it after reading: the wished faces, and words for it. */
+  /** The remeshing after reading: the wished faces, and words for it. */
   remeshed?: { faces: number; words: string } | undefined;
   /** After that, handles shorter than this were taken away, in model units. */
   handles?: number | undefined;
@@ -42,11 +42,11 @@ export function isSameModel(one: Opened, other: Opened): boolean {
 }
 
 export class Session {
-  /** What is shown. */
+  /** The model that is shown. */
   opened: Opened | undefined;
-  /** What will be shown when the element has it. */
+  /** The model that is shown as soon as the element has it. */
   #next: Opened | undefined;
-  /** What is being read. */
+  /** The model that is being read. */
   #reading: Opened | undefined;
   /** Files that were dropped or chosen on this visit, by the names that links have for them. */
   readonly #files = new Map<string, Opened>();
@@ -137,7 +137,7 @@ export class Session {
     );
   }
 
-  /** The same model, prepared otherwise; false where that came to nothing. */
+  /** Opens the model again, prepared otherwise; false where that came to nothing. */
   async reopen(change: PrepareOptions, wish?: number): Promise<boolean> {
     const { opened } = this;
     if (!opened) return false;
