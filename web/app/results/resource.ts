@@ -6,7 +6,7 @@ import type { WatchedOptions } from '../../src/kernel/index.js';
 /** Options of one step of the work: its progress is said behind these words. */
 export type Watch = (words: string) => Required<WatchedOptions>;
 
-/** Of what a result is: the same surface, and the same of each parameter. */
+/** The surface and the parameters that a result is of: equal keys have equal results. */
 export type Key = readonly unknown[];
 
 export type Status<Found> =
@@ -42,7 +42,7 @@ export class Resource<Found> {
     return this.#status;
   }
 
-  /** What was found for the wanted key; undefined where that is not there. */
+  /** The result for the wanted key; undefined where it is not there. */
   get found(): Found | undefined {
     return this.#status.is === 'done' ? this.#status.found : undefined;
   }

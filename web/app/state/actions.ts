@@ -23,12 +23,12 @@ export const modelKeys = [
   ...(['model', 'file', 'closed', 'weld', 'components'] as const),
   ...(['faces', 'handles', 'scale'] as const),
 ] satisfies readonly Key[];
-/** What stays with a model, however it is prepared. */
+/** Keys of the state that stay with a model, however it is prepared. */
 const ownKeys = [
   ...(['unit', 'shown', 'up', 'section'] as const),
   ...(['tube', 'wall', 'gap', 'printer'] as const),
 ] satisfies readonly Key[];
-/** What is about one surface. */
+/** Keys of the state that are about one surface. */
 const surfaceKeys = [
   ...(['range', 'method', 'camera', 'loops', 'names', 'values', 'girth', 'diameter'] as const),
   ...(['smoothing', 'tip', 'jump', 'bottleneck', 'profile', 'axis', 'prominence'] as const),
@@ -75,7 +75,7 @@ export function heldChoice(shown: PageState, wish: PageState, choice: PageState)
   return without(choice, [...modelKeys, ...surfaceKeys, ...(isSame ? [] : ownKeys)]);
 }
 
-/** What stays of a state when another surface comes by hand: `isAnother`, of another model. */
+/** The rest of a state when another surface comes by hand; `isAnother`: it is of another model. */
 export const left = (state: PageState, isAnother: boolean): PageState =>
   without(state, [...surfaceKeys, ...(isAnother ? ownKeys : [])]);
 

@@ -1,5 +1,5 @@
-// What the page shows, written as the fragment of its address and read from it. Whatever cannot be
-// understood there is left out without a word: the rest still holds.
+// The state of the page, written as the fragment of its address and read from it. Words that cannot
+// be understood are left out silently: the rest still holds.
 
 import {
   type CameraView,
@@ -33,9 +33,9 @@ export interface PageState {
   faces?: number;
   /** After that, handles and tunnels shorter than this were taken away, in model units. */
   handles?: number;
-  /** Of lengths, where the file does not say it. */
+  /** The unit of lengths, where the file does not say it. */
   unit?: string;
-  /** What lengths are written in, where that is another unit. */
+  /** The unit that lengths are written in, where that is another one. */
   shown?: string;
   /** How many times as large as its file the model is. */
   scale?: number;
@@ -53,7 +53,7 @@ export interface PageState {
   /** As the element's attribute: how long saddles must last to count. */
   persistence?: string;
   edges?: boolean;
-  /** Of the colour map. */
+  /** Whether the colour map is logarithmic. */
   log?: boolean;
   /** As the element's attributes: how the surface is drawn, and which way is up where that was chosen. */
   shading?: string;
@@ -63,7 +63,7 @@ export interface PageState {
   camera?: CameraView;
   /** Where loops are pinned. */
   loops?: SurfacePoint[];
-  /** What they are called, in their order; '' for no name. */
+  /** The names of the loops, in their order; '' for no name. */
   names?: string[];
   /** Their lengths as they were shown: for a reader who does not have the file. */
   values?: string[];
@@ -74,7 +74,7 @@ export interface PageState {
   /** The selected tip, from 1; tips that jump less are hidden. */
   tip?: number;
   jump?: number;
-  /** What can be printed, in model units, and whose numbers these are: a preset's key. */
+  /** Limits of printing, in model units, and the key of the preset that they come from. */
   tube?: number;
   wall?: number;
   gap?: number;
@@ -89,7 +89,7 @@ export interface PageState {
   /** Along what the surface is shown cut, and that the rims are left open. */
   cut?: CutWish;
   rims?: boolean;
-  /** What is shown beside it: an example's name, or the address of a model; or the name of a file that was opened. */
+  /** The model beside the shown one: an example's name or an address; or the name of an opened file. */
   beside?: string;
   besideFile?: string;
   /** That each of the two has a view of its own, and that their colours span one range. */
@@ -300,7 +300,7 @@ const parts: {
   panel: [readPanel, (panel) => panel],
 };
 
-/** What was done to a model before it was shown, as the kernel has it. */
+/** The steps that prepared a model before it was shown, as the kernel has them. */
 export function preparationOf({ closed, weld, components, scale }: PageState): PrepareOptions {
   return {
     ...(closed ? { closeHoles: true } : {}),
@@ -310,7 +310,7 @@ export function preparationOf({ closed, weld, components, scale }: PageState): P
   };
 }
 
-/** What a state says of the model that is shown beside. */
+/** The part of a state that is about the model beside. */
 export function besideOf({ beside, besideFile, apart, oneScale }: PageState): PageState {
   return {
     ...(beside === undefined ? {} : { beside }),
@@ -320,7 +320,7 @@ export function besideOf({ beside, besideFile, apart, oneScale }: PageState): Pa
   };
 }
 
-/** The same state of a model that is `ratio` times as large: its lengths grow with it. */
+/** The state for a model that is `ratio` times as large: its lengths grow with it. */
 export function resized(state: PageState, ratio: number): PageState {
   const grown = { ...state };
   for (const key of ['weld', 'handles', 'girth', 'diameter', 'jump', 'prominence'] as const) {
@@ -331,7 +331,7 @@ export function resized(state: PageState, ratio: number): PageState {
   if (at !== undefined) grown.cut = cutAt(at * ratio);
   // In the model's size: shares hold for any.
   if (state.persistence !== undefined && !state.persistence.endsWith('%')) delete grown.persistence;
-  // Of a field of lengths or not, and in which unit: shares of the surface hold for any size.
+  // The numbers of a range may be lengths, in any unit; shares of the surface hold for any size.
   if (state.range !== undefined && !state.range.includes('%')) delete grown.range;
   return grown;
 }

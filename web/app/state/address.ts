@@ -7,13 +7,13 @@ import { UndoSteps } from './undo-steps.js';
 /** Milliseconds after a change until it is in the address: many changes come together. */
 const delay = 250;
 
-/** What a hand moves all the time makes no step to go back to. */
+/** Leaves out what a hand moves all the time: such moves make no step to go back to. */
 function withoutMoves({ camera, range, panel, values, ...rest }: PageState): PageState {
   void [camera, range, panel, values];
   return rest;
 }
 
-/** Of a state as text. */
+/** The address of a state in text. */
 const addressOf = (text: string): string =>
   text === '' ? location.pathname + location.search : `#${text}`;
 
@@ -30,7 +30,7 @@ export class Address {
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** The state as it was written last, or came about by itself. */
   #known: string;
-  /** The same with what a link says besides. */
+  /** The known state, with what a link says besides. */
   #bar: string;
   #settled = 0;
   /** A step is being undone or redone: what comes about is that step. */
@@ -58,7 +58,7 @@ export class Address {
     return readState(location.hash);
   }
 
-  /** What is shown as an address. */
+  /** The address of what is shown. */
   get link(): string {
     const link = new URL(location.href);
     link.hash = this.#link;
@@ -79,7 +79,7 @@ export class Address {
 
   /** Shows what was shown before the last change of anything that the address holds: the camera, too. */
   undo(): void {
-    // What has just been changed is the step to undo.
+    // The last change, if not written yet, is the step to undo.
     this.flush();
     this.#restore(this.#steps.undo());
   }
@@ -102,7 +102,7 @@ export class Address {
     this.#events.followed(readState(text));
   }
 
-  /** What a link or a step asked for is shown. */
+  /** Takes note that the state of a link or a step is shown now. */
   #settle(settled: number): void {
     this.#settled = settled;
     clearTimeout(this.#timer);
@@ -127,7 +127,7 @@ export class Address {
     clearTimeout(this.#timer);
     this.#timer = undefined;
     const { wish, meant } = this.#store;
-    // What is asked for is in the address already, or will be written when it is there.
+    // A wished state is in the address already, or will be written when it is shown.
     if (wish && !wish.isMissing) return;
     const bar = this.#link;
     if (bar === this.#bar) return;

@@ -9,14 +9,14 @@ import type { Store } from './store.js';
 /** Models from this many faces on are computed on few triangles first: exactly they would take long. */
 const manyFaces = 100_000;
 
-/** What the page does unless somebody chooses; files may have the girth in them. */
+/** The method that the page uses unless somebody chooses; files may have the girth in them. */
 export function usualMethod(facts: SurfaceFacts | undefined): GirthMethod {
   return facts && facts.faceCount >= manyFaces && !facts.given.includes('igf') ? 'coarse' : 'exact';
 }
 
 const numberIn = (value: number | undefined): string => (value === undefined ? '' : String(value));
 
-/** What each attribute says of a state, '' for nothing; in the order in which they are set. */
+/** The value of each attribute for a state, '' for none; in the order in which they are set. */
 const texts: Record<string, (state: PageState) => string | boolean | undefined> = {
   'shown-unit': ({ shown }) => shown,
   up: ({ up }) => up,

@@ -17,7 +17,7 @@ export interface Wish {
 /** All that the page holds of its state; never changed, only replaced. */
 export interface Held {
   readonly shown: PageState;
-  /** Of the surface that is shown; undefined before the first one. */
+  /** Facts of the surface that is shown; undefined before the first one. */
   readonly facts: SurfaceFacts | undefined;
   readonly wish: Wish | undefined;
   /** How many wishes have come about that were no step of their own. */
@@ -41,12 +41,12 @@ export class Store {
     return this.#held;
   }
 
-  /** What is shown; before the first model nothing. */
+  /** The state that is shown; empty before the first model. */
   get shown(): PageState {
     return this.#held.shown;
   }
 
-  /** What the address is to say: before the first model that is what the link asks for. */
+  /** The state for the address: before the first model, the one that the link asks for. */
   get meant(): PageState {
     const { shown, facts, wish } = this.#held;
     return facts || !wish ? shown : wish.state;
@@ -119,7 +119,7 @@ export class Store {
     if (this.#isTelling) return;
     this.#isTelling = true;
     try {
-      // What one of them changes is told to all of them.
+      // A change that one watcher makes is told to all of them.
       while (this.#told !== this.#held) this.#tell();
     } finally {
       this.#isTelling = false;

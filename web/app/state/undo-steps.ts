@@ -1,4 +1,4 @@
-// What was shown before, step by step, to go back to and forth again. It knows states only as text.
+// Steps of what was shown before, to go back and forth. States are only text here.
 
 /** Steps further back than this are forgotten. */
 const mostSteps = 200;
