@@ -15,17 +15,17 @@ export interface AlongStation {
 }
 
 export interface Along {
-  /** Of the way, in model units. */
+  /** The length of the way, in model units. */
   length: number;
   stations: readonly AlongStation[];
 }
 
 export interface AlongWords {
-  /** What the plot is, for those who do not see it. */
+  /** The name of the plot for those who do not see it. */
   label: string;
-  /** What the way runs along: 'along the surface'. */
+  /** The course of the way: 'along the surface'. */
   way: string;
-  /** What distances are from: 'from the first point'. */
+  /** The start of distances: 'from the first point'. */
   from: string;
 }
 

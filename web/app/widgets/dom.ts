@@ -7,7 +7,7 @@ export function byId<Type extends HTMLElement = HTMLElement>(id: string): Type {
   return element as Type;
 }
 
-/** What makes something when it is first asked for; made anew where that failed. */
+/** A function that makes something when it is first asked for, and anew where that failed. */
 export function once<Type>(make: () => Promise<Type>): () => Promise<Type> {
   let made: Promise<Type> | undefined;
   return () =>

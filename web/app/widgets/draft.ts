@@ -25,11 +25,11 @@ export interface DraftEvents {
 export class Draft {
   readonly #control: EditableControl;
   readonly #events: DraftEvents;
-  /** What the page wants the control to show. */
+  /** The text that the page wants the control to show. */
   #shown: string;
   /** How often `show` was called: an owner may show its own form of what it takes. */
   #shows = 0;
-  /** What stood in the control before the draft; undefined without a draft. */
+  /** The text that stood in the control before the draft; undefined without a draft. */
   #before: string | undefined;
   #isCommitting = false;
 
@@ -57,7 +57,7 @@ export class Draft {
     return this.#before !== undefined;
   }
 
-  /** What stands in the control: the draft, or what is shown. */
+  /** The text in the control: the draft, or what is shown. */
   get text(): string {
     return this.#control.value;
   }
@@ -113,7 +113,7 @@ export class Draft {
   }
 
   #write(): void {
-    // The same text again would move the cursor.
+    // A text that is set again would move the cursor.
     if (this.isEdited || this.text === this.#shown) return;
     this.#control.value = this.#shown;
     // As the control has it: sliders round, lists know only their choices.

@@ -1,4 +1,4 @@
-// What went wrong, in one or two sentences for a line of a panel.
+// Failures in one or two sentences for a line of a panel.
 
 /** The message, and the remedy where the failure has one; without a full stop at the end. */
 export function failureWords(error: unknown): string {

@@ -42,7 +42,7 @@ export function readValue(
 export interface LengthEvents {
   /** Another length was typed; undefined: the field was emptied. */
   changed?(length: number | undefined): void;
-  /** What was typed is no length, for this reason, and nothing was changed. */
+  /** The typed text is no length, for this reason, and changed nothing. */
   wrong?(why: string): void;
   /** A unit was typed where that of the model is not known: it may be taken for the model's. */
   unitTyped?(symbol: string): void;
@@ -58,9 +58,9 @@ export class LengthInput {
   readonly #draft: Draft;
   readonly #unit = make('span', { class: 'unit' });
   readonly #events: LengthEvents;
-  /** Of what stands in the field. */
+  /** The format of the text in the field. */
   #format: LengthFormat | undefined;
-  /** Of what will stand there when nothing is edited. */
+  /** The format of the text that will stand in the field when nothing is edited. */
   #nextFormat: LengthFormat | undefined;
   #length: number | undefined;
   /** The length that was typed last, and how: it stays as it was typed. */

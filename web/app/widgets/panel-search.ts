@@ -1,4 +1,4 @@
-// What a panel searches for once the girth is there: its progress in words, to be stopped and started again.
+// A panel's search once the girth is there: its progress in words, to be stopped and started again.
 
 import { type GirthViewer, make } from '../../src/element/index.js';
 import { type Key, Resource, type Status, type Watch } from '../results/resource.js';
@@ -9,7 +9,7 @@ export interface Searched<Found> {
   again: string;
   /** As long as the girth is not there. */
   pending: string;
-  /** Of what it is found, beside the surface. */
+  /** The parameters of the search, beside the surface. */
   parameters(): Key;
   /** When it was stopped. */
   stopped: string;
@@ -42,7 +42,7 @@ export class PanelSearch<Found> {
     this.element = make('p', { class: 'working' }, this.#words, this.#cancel, this.#again);
   }
 
-  /** What was found for the present key. */
+  /** The result for the present key. */
   get found(): Found | undefined {
     return this.#resource.found;
   }

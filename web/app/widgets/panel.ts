@@ -50,7 +50,7 @@ export class Panel {
     });
   }
 
-  /** What is written behind the title; '' for nothing. */
+  /** The words behind the title; '' for none. */
   set summary(words: string) {
     this.#count.textContent = words;
   }

@@ -10,7 +10,7 @@ export interface PlaceRow {
   colour?: string;
   /** Where rows stand for lines: the lengths of strokes and gaps, by turns; empty: one stroke. */
   dash?: readonly number[];
-  /** What matters most, with its unit. */
+  /** The main measure, with its unit. */
   main: string;
   detail: string;
   /** Shown at the row's end. */

@@ -1,4 +1,4 @@
-// What is to be done on the surface next, in words above it, and a way out of it.
+// A hint above the surface: what to do on it next, with a button to end that.
 
 import { make } from '../../src/element/index.js';
 import { byId } from './dom.js';

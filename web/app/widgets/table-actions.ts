@@ -1,4 +1,4 @@
-// What can be done with a table: to the clipboard in one click, or a CSV file.
+// Actions for a table: to the clipboard in one click, or a CSV file.
 
 import { make } from '../../src/element/index.js';
 import { copyText } from './clipboard.js';
@@ -31,7 +31,7 @@ export class TableActions {
     this.element = make('div', { class: 'table-actions' }, buttons, this.#text);
   }
 
-  /** What was said of an older table holds no longer. */
+  /** Forgets the message about an older table. */
   forget(): void {
     this.#said.textContent = '';
     this.#text.hidden = true;

@@ -17,7 +17,7 @@ export function plainNumber(value: number, digits = 12): string {
 /** The name of a column with the unit of its numbers; '' where that is not known. */
 export const columnOf = (name: string, unit: string): string => (unit ? `${name} (${unit})` : name);
 
-/** What a spreadsheet would compute is marked as text: names come from links, too. */
+/** Marks as text what a spreadsheet would compute: names come from links, too. */
 function safe(cell: Cell): string {
   if (typeof cell === 'number') return plainNumber(cell);
   return /^[=+\-@\t\r]/.test(cell) ? `'${cell}` : cell;
