@@ -55,7 +55,7 @@ const computed = new ComputedFields(viewer);
 followAttributes(viewer, store);
 showUntilTouched(viewer);
 
-// What takes long is done in several tasks, between which the page answers.
+// Long work is done in several tasks, between which the page answers.
 await nextTask();
 const field = new FieldPanel(viewer, computed, store, {
   partKinds: () => parts.kinds,
@@ -79,7 +79,7 @@ const size: ModelScale = {
   },
   rescale: (scale) => {
     if (!session.opened) return;
-    // What is shown of it is the same in the other size.
+    // The view of the model is the same in the other size.
     const { shown } = store;
     const wished = { ...resized(shown, scale / session.scale), scale };
     const { weld } = wished;
@@ -93,7 +93,7 @@ const compare = new ComparePanel({
     examples.all.map((example) => ({ opened: exampleToOpen(example), name: example.file })),
   fieldOf: (opened, name) => {
     const isShown = session.opened && isSameModel(session.opened, opened);
-    // Of every model the page computes the girth.
+    // The page computes the girth of every model that it shows.
     return isShown && (name === 'igf' || computed.has(name)) ? viewer.fieldOf(name) : undefined;
   },
   show: (opened) => void session.open(opened),
@@ -122,7 +122,7 @@ store.watch(['panel'], ({ panel }) => {
 
 await nextTask();
 
-/** What is shown beside the model, once that is asked for. */
+/** The model beside the shown one, once it is asked for. */
 const beside = once(async () => {
   const { Beside } = await import('./model/beside.js');
   return new Beside(viewer, store, {
@@ -157,7 +157,7 @@ function arrive(wish?: number, isAnother = false): void {
   store.arrive(session.read(), facts, wish, isAnother);
 }
 
-/** The same model, prepared otherwise, with a state that is wished for then. */
+/** Opens the shown model again, prepared otherwise, with the state that is wished for then. */
 async function reopen(state: PageState, change: PrepareOptions): Promise<void> {
   const wish = store.ask(state, { byHand: true });
   if (!(await session.reopen(change, wish))) store.fail(wish);
@@ -359,7 +359,7 @@ viewer.addEventListener('field', (event) => {
 });
 const explain = explainColours(viewer, () => print.isColouring);
 
-/** What the page opens by itself comes before all that somebody asks for. */
+/** The page's own first model comes before all that somebody asks for. */
 const atFirst = session.ask();
 const recent = new RecentFiles(viewer, (files) => void openFiles(files));
 acceptDrops(byId('drop'), (files) => void openFiles(files));
@@ -371,7 +371,7 @@ offerExports(viewer, computed, { parts, loops, limbs, necks }, plots, async () =
 );
 offerSharing(shared);
 
-/** What others can have of what is shown. */
+/** The forms in which others can have the view. */
 function shared(): Shared {
   const { opened } = session;
   const { info } = viewer;
@@ -400,7 +400,7 @@ function choosesFiles(button: string, input: string): () => void {
   byId(button).addEventListener('click', () => chooser.click());
   const take = (): void => {
     const chosen = [...(chooser.files ?? [])];
-    // The same file may be chosen again after it was changed. Nobody types here.
+    // A file may be chosen again after it was changed. Nobody types here.
     // oxlint-disable-next-line girth/shown-text
     chooser.value = '';
     if (chosen.length > 0) void openFiles(chosen);
@@ -433,7 +433,7 @@ explanation.addEventListener('click', (event) => {
 
 // Whoever never asks for them does not fetch them.
 byId('commands').addEventListener('click', () => {
-  // What can be opened beside the model is among the commands.
+  // Models that can be opened beside are among the commands.
   void Promise.all([palette(), beside()]).then(([one]) => one.open());
 });
 byId('all-keys').addEventListener('click', () => {
@@ -447,7 +447,7 @@ explainTerms();
 closeLeftSheets();
 offerTheme(() => field.refresh());
 offerInstalling();
-// What is kept for later visits is fetched when this one has what it needs.
+// Files for later visits are fetched when this visit has what it needs.
 const worksOffline = once(workOffline);
 viewer.addEventListener('field', ({ detail }) => {
   if (detail.share === 1) void worksOffline();
@@ -458,7 +458,7 @@ const first = address.state;
 store.ask(first, { isMissing: first.file !== undefined && first.model === undefined });
 pressControls();
 forwardKeys(viewer);
-// What was chosen before anybody listened.
+// Files may have been chosen before anybody listened.
 for (const take of takeChosen) take();
 await examples.prepare();
 if (!session.isOvertaken(atFirst)) void follow(first, atFirst);

@@ -23,7 +23,7 @@ export function offerInstalling(): void {
   });
   button.addEventListener('click', () => {
     button.hidden = true;
-    // What went wrong, the browser has said.
+    // The browser has said itself what went wrong.
     void asked?.prompt().catch(() => undefined);
   });
   window.addEventListener('appinstalled', () => (button.hidden = true));

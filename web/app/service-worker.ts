@@ -32,7 +32,7 @@ const documentation = new URL('docs/', scope).href;
 const readStore = `girth documentation ${scope}`;
 const first = 'index.html';
 
-/** What a file is kept as. */
+/** The address under which a file is kept, with its version. */
 function keyOf(path: string): string {
   return `${new URL(path, scope).href}?${encodeURIComponent(files.get(path)!)}`;
 }

@@ -8,7 +8,7 @@ import { filesBelow } from './stale.mjs';
 /** Folders whose comments are checked. The others follow, folder by folder. */
 const folders = [
   ...['cpp', 'tests'],
-  ...['web/app/panels', 'web/docs', 'web/examples', 'web/scripts'],
+  ...['web/app', 'web/docs', 'web/examples', 'web/scripts'],
   ...['web/src/kernel', 'web/src/node', 'web/src/view'],
 ];
 

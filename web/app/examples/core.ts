@@ -30,7 +30,9 @@ interface Module {
 type CreateModule = (options: { wasmBinary: Uint8Array }) => Promise<Module>;
 
 export interface Core {
-  /** The same surface with about `faces` triangles of even size and good shape (`girth/remesh.h`). */
+  /**
+   * A surface remeshed to about `faces` triangles of even size and good shape (`girth/remesh.h`).
+   */
   remeshEvenly(
     surface: Triangles,
     faces: number,

@@ -1,4 +1,4 @@
-// What a mesh is like: closed and manifold or not, its genus, its triangles.
+// Measures of a mesh: whether it is closed and manifold, its genus, its triangles.
 
 import type { Triangles } from './polygonise.ts';
 
@@ -8,7 +8,7 @@ export interface Measures {
   /** Every edge has two faces, in opposite directions, and every vertex one ring of faces. */
   closedManifold: boolean;
   components: number;
-  /** Of all components together; meaningful for a closed manifold only. */
+  /** The genus of all components together; meaningful for a closed manifold only. */
   genus: number;
   /** Enclosed volume in cubic metres; positive where faces are counterclockwise seen from outside. */
   volume: number;

@@ -3,7 +3,7 @@
 /** A point of a tube's guide: x, y, z and the radius there. */
 export type Station = readonly [number, number, number, number];
 
-/** Of the polyline that stands for the curve; a power of two. */
+/** Segments of the polyline that stands for the curve; a power of two. */
 const segments = 128;
 
 /**
@@ -104,7 +104,7 @@ function spline(stations: readonly Station[]): Float64Array {
   return points;
 }
 
-/** Of the natural cubic spline through `values` at `knots`: the usual tridiagonal system. */
+/** Second derivatives of the natural cubic spline through `values` at `knots`: a tridiagonal system. */
 function secondDerivatives(knots: number[], values: number[]): number[] {
   const n = knots.length;
   const second = new Array<number>(n).fill(0);

@@ -1,7 +1,7 @@
 import type { Implicit } from '../implicit.ts';
 import type { Box } from '../polygonise.ts';
 
-/** What an example is and how it is made. Lengths in metres, y up, as in glTF. */
+/** An example, and how it is made. Lengths in metres, y up, as in glTF. */
 export interface Model {
   /** File name without extension. */
   name: string;
