@@ -166,8 +166,8 @@ export interface GirthViewerAttributes {
 }
 
 /**
- * What the element shows, in the words of its attributes: as JSON it can be kept. Attributes without a value are
- * `true`.
+ * The state of the element, in the words of its attributes: as JSON it can be kept. Attributes
+ * without a value are `true`.
  */
 export type ViewerState = {
   [Name in keyof Omit<GirthViewerAttributes, 'loading' | 'poster' | 'linked' | 'one-scale'>]?:

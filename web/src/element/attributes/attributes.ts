@@ -1,4 +1,5 @@
-// What each attribute of the element can be. Any other value counts as if the attribute were not there.
+// The values that each attribute of the element can have. Any other value counts as if the
+// attribute were not there.
 
 import { signatureNumbers } from '../../kernel/types/fields.js';
 import { findLengthUnit, lengthUnits } from '../../kernel/types/length-units.js';
@@ -62,7 +63,7 @@ const path: Rule = {
 
 const named: Rule = { allowed: 'a name', accepts: () => true };
 
-/** What lies on the surface beside it: nothing, the legend, or the legend and a bar. */
+/** Controls on the surface: none, the legend, or the legend and a bar. */
 const controlNames = ['none', 'legend', 'full'] as const;
 
 /** In the order in which they are set together. Their comments are the manual: `npm run build:tables` copies them. */
@@ -257,7 +258,7 @@ const rules: Record<AttributeName, Rule> = {
   turn: flag,
 };
 
-/** What is sent of a wrong attribute. */
+/** The details of `error` for a wrong attribute. */
 interface AttributeFault extends GirthErrorFields {
   attribute: AttributeName;
 }
@@ -271,7 +272,7 @@ export const attributeNames = Object.keys(rules) as AttributeName[];
 const isEmptyOrAllowed = (name: AttributeName, text: string): boolean =>
   text === '' || (rules[name] === flag && text === name) || rules[name].accepts(text);
 
-/** What an attribute can be, in words, where its value is none of that; undefined where all is well. */
+/** The allowed values in words, where a value is none of them; undefined where all is well. */
 export function allowedInstead(name: AttributeName, text: string): string | undefined {
   return isEmptyOrAllowed(name, text) ? undefined : rules[name].allowed;
 }
@@ -294,7 +295,7 @@ export function isOn(element: Element, name: AttributeName): boolean {
 const isControls = (text: string): text is (typeof controlNames)[number] =>
   controlNames.some((name) => name === text);
 
-/** What is to lie on the surface beside it; without a value, all. */
+/** The controls that an element wishes for; without a value, all. */
 export function controlsOf(element: Element): (typeof controlNames)[number] {
   if (!isOn(element, 'controls')) return 'legend';
   const text = element.getAttribute('controls')!;
@@ -306,7 +307,7 @@ const mostQuoted = 60;
 /** Wrong attributes that have been reported on the console, by any element. */
 const saidOnConsole = new Set<string>();
 
-/** What is wrong with a value, as it is sent with `error`, and once written on the console; undefined for nothing. */
+/** The fault of a value, as sent with `error`, once written on the console; undefined for none. */
 export function faultOf(name: AttributeName, text: string): AttributeFault | undefined {
   const allowed = allowedInstead(name, text);
   if (allowed === undefined) return undefined;

@@ -1,4 +1,4 @@
-// What attributes, sources and errors mean, in the element's own terms.
+// The meaning of attributes, sources and errors in the element's own terms.
 
 import type {
   FieldName,
@@ -7,7 +7,7 @@ import type {
   SpectralOptions,
 } from '../../kernel/types/types.js';
 
-/** What the ends of the colour map are: values, or the shares of the surface below them. */
+/** The ends of the colour map: values, or the shares of the surface below them. */
 export interface RangeChoice {
   by: 'values' | 'shares';
   ends: readonly [number, number];
@@ -75,7 +75,7 @@ export function nameOf(source: MeshSource): string {
   if (typeof source === 'string' || source instanceof URL) {
     return decodeURIComponent(String(source).split(/[?#]/)[0]!.split('/').pop() ?? '');
   }
-  // Of several, that which is the model by its name; the kernel looks closer.
+  // The first name with a model's ending stands for several files; the kernel looks closer.
   const names = (Array.isArray(source) ? (source as object[]) : [source]).map(nameOfFile);
   return names.find((name) => /\.(glb|gltf|obj|off|ply|stl|zip)$/i.test(name)) ?? names[0] ?? '';
 }

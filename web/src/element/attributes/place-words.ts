@@ -22,7 +22,7 @@ export function writePoint(point: SurfacePoint): string {
   return `${point.face}:${point.weights[0]}:${point.weights[1]}`;
 }
 
-/** What `writePoint` has written; undefined for anything else. */
+/** The point that `writePoint` has written; undefined for any other text. */
 export function readPoint(text: string): SurfacePoint | undefined {
   const [first = '', ...rest] = text.split(':');
   const number = readCount(first);

@@ -1,4 +1,4 @@
-// What the element shows as an object that can be kept as JSON: which attributes it takes, and with which values.
+// The state of the element as an object that can be kept as JSON: its attributes, and their values.
 
 import { GirthError } from '../../kernel/types/errors.js';
 import type { ViewerState } from './attribute-types.js';
@@ -16,7 +16,7 @@ import { type PinWish, parsePins, writePins } from './wish-words.js';
 /** An attribute of a state. */
 export type StateName = keyof ViewerState;
 
-/** What is about the page that an element is on. */
+/** Attributes that are about the page that an element is on. */
 const pageNames: readonly AttributeName[] = ['loading', 'poster', 'linked', 'one-scale'];
 
 /** All of them. */
@@ -42,7 +42,7 @@ export function attributesOf(state: unknown): Map<StateName, string> {
   return texts;
 }
 
-/** What the attributes of an element ask for. */
+/** The state that the attributes of an element ask for. */
 export function stateOf(element: Element): ViewerState {
   const state: ViewerState = {};
   for (const name of stateNames) {

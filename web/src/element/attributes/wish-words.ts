@@ -103,7 +103,7 @@ export function parsePath(text: string): SurfacePoint[] | undefined {
   return points.every((point) => point !== undefined) ? points : undefined;
 }
 
-/** The same of two points alone. */
+/** Exactly two points with a comma between them; undefined for anything else. */
 export function parseTwoPoints(text: string): SurfacePoint[] | undefined {
   const points = parsePath(text);
   return points?.length === 2 ? points : undefined;

@@ -1,5 +1,5 @@
-// What attributes ask for beside colours: from where the surface is seen, tips, parts and pinned loops. An attribute
-// is followed when it is set and when a model comes; hands and methods go on from there.
+// Wishes of attributes beside colours: the camera, tips, parts and pinned loops. An attribute is
+// followed when it is set and when a model comes; hands and methods go on from there.
 
 import { GirthError } from '../../kernel/types/errors.js';
 import type { Mesh, SurfacePoint } from '../../kernel/types/types.js';
@@ -40,7 +40,7 @@ export class Wishes {
   #pinTurn = 0;
   /** Whether loops that are wished for are not pinned yet. */
   #isPinning = false;
-  /** The same for what is between two points. */
+  /** Counts up with each wish between two points: only the last one counts. */
   #betweenTurn = 0;
   /** Whether tips that are wished for are not drawn yet. */
   #isFinding = false;
@@ -72,7 +72,7 @@ export class Wishes {
     void this.#showBetween(presented, false);
   }
 
-  /** The same for tips, of which there may be none to draw. */
+  /** A model has come: its tips are drawn, where they are wished for or its file has any. */
   greetTips(presented: Presented): void {
     const isWished = isOn(this.#host.element, 'tips') || presented.model.file.tips !== undefined;
     if (isWished) void this.#showTips(presented);
@@ -191,7 +191,7 @@ export class Wishes {
   #divide(presented: Presented, anew: boolean): void {
     const text = attributeOf(this.#host.element, 'parts');
     const wish = parseParts(text ?? '');
-    // What is shown as its file has it has no parts.
+    // A model that is shown as its file has it has no parts.
     if (presented.model.file.isAll) return;
     try {
       if (wish) {
