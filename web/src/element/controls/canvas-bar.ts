@@ -144,7 +144,7 @@ export class CanvasBar {
     this.#open(undefined);
   }
 
-  /** What of it is there: all, or where the surface turns by itself, its stop. */
+  /** Shows all of the bar, or where the surface turns by itself, only its stop. */
   show(all: boolean, stop: boolean): void {
     for (const child of this.element.children) {
       (child as HTMLElement).hidden = child === this.turn ? !stop : !all;

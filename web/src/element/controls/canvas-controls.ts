@@ -22,7 +22,7 @@ export class CanvasControls {
   readonly #host: ControlsHost;
   readonly #bar: CanvasBar;
   readonly #turning: Turning;
-  /** What cuts the surface, once that is asked for or there is a bar to ask on. */
+  /** The tool that cuts the surface, once it is asked for or there is a bar to ask on. */
   #section: SectionTool | undefined;
   #isFetching = false;
   /** From where the last model was seen. */
@@ -94,7 +94,7 @@ export class CanvasControls {
     if (stage) this.#bar.place(stage);
   }
 
-  /** What is computed, or how much motion is wished for, has changed. */
+  /** Lets the turning follow a change in computing, or in the system's wish for less motion. */
   updateTurning(): void {
     this.#turning.update();
   }

@@ -1,4 +1,4 @@
-// What keys do to the surface.
+// Keys of the surface, and their actions.
 
 import { type Stage, straightNames } from '../../view/index.js';
 import type { LoopsOnSurface } from '../surface/loops-on-surface.js';

@@ -1,4 +1,4 @@
-// What went wrong, in words, where the user looks.
+// Failures in words, where the user looks.
 
 import type { GirthErrorFields, UnreadableModel } from '../../kernel/types/types.js';
 import type { Graphics } from '../../view/index.js';
@@ -41,7 +41,7 @@ export class MessageBox {
       .join(' ');
   }
 
-  /** Of models that came together: these were passed over, and `shown` was taken instead. */
+  /** Tells which of several models were passed over, and that `shown` was taken instead. */
   showPassedOver(unreadable: readonly UnreadableModel[], shown: string): void {
     const [first] = unreadable;
     if (!first) return;

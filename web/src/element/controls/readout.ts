@@ -7,7 +7,7 @@ import { make } from './dom.js';
 /** CSS pixels between the pointer and the length. */
 const gap = 18;
 
-/** What the kind of a loop means, in a word and in a sentence; a plain loop needs none. */
+/** The meaning of a loop's kind, in a word and in a sentence; a plain loop needs none. */
 export const kindWords = {
   loop: { name: 'loop', sentence: '' },
   antipodal: {
@@ -183,7 +183,7 @@ export class PinTag {
     this.leader.remove();
   }
 
-  /** What is written on it, where it is, and where its line ends, for a picture. */
+  /** The words of the tag, its place, and the end of its line, for a picture. */
   get label(): TagLabel {
     const words = [String(this.number), this.#name.textContent, this.#length.textContent];
     const { left: x, top: y } = this.#spot ?? { left: 0, top: 0 };

@@ -14,19 +14,19 @@ export interface SectionHost {
   surface(): Surface | undefined;
   /** A length in words. */
   lengthWords(length: number): string;
-  /** Of the surface's coordinates in those of its file. */
+  /** The origin of the surface's coordinates in those of its file. */
   origin(): readonly number[];
-  /** What the attribute asks for. */
+  /** The section that the attribute asks for. */
   wished(): SectionWish | undefined;
   /** Where it is to be seen. */
   root: ShadowRoot;
-  /** What controls are made by. */
+  /** Makers of elements, buttons and icons. */
   kit: { make: typeof make; button: typeof button; icon: typeof icon };
   /** Sets the attribute; `isMoving`: the hand goes on. */
   choose(text: string | null, isMoving: boolean): void;
 }
 
-/** Of the tool and its menu. */
+/** The style of the tool and its menu. */
 const sectionStyle = /* css */ `
 .tool > button.on { color: var(--girth-accent); }
 .section { inline-size: 17rem; gap: 6px; }

@@ -216,7 +216,7 @@ canvas:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: -
   .printed { display: block; cursor: auto; }
 }
 
-/* What is distinguished by a colour keeps it where the system has few colours. */
+/* Colours that distinguish things stay where the system has few colours. */
 @media (forced-colors: active) {
   .legend-bar, .legend-key i, .legend-line, .axes { forced-color-adjust: none; }
   .legend-bar, .legend-key i { outline: 1px solid CanvasText; }

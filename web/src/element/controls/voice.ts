@@ -1,4 +1,5 @@
-// What the element announces to those who cannot see it: what is on the canvas, how it is moved, and what has ended.
+// Announcements for those who cannot see the element: what is on the canvas, how it is moved, and
+// what has ended.
 
 import type { FieldName } from '../../kernel/types/types.js';
 import { fieldTitle, formatLength } from '../../view/index.js';

@@ -3,7 +3,7 @@
 import { type OutlineScene, type Stroke, outlineOf, seenPieces } from '../../view/outline.js';
 import type { FigureParts } from './snapshot.js';
 
-/** What a drawing has beside the outline. */
+/** Options of a drawing beside the outline. */
 export interface DrawingOptions {
   /** On paper, in millimetres. Default: 85, one column of a paper. */
   width?: number;
@@ -23,10 +23,10 @@ export interface Drawing {
   scene: OutlineScene;
   lines: readonly DrawnLine[];
   parts: FigureParts;
-  /** Of the element, in CSS pixels. */
+  /** The width of the element, in CSS pixels. */
   width: number;
   height: number;
-  /** What it shows. */
+  /** The title of the drawing. */
   title: string;
   /** How long the scale bar is, in model units, for at most so many pixels. */
   barLength(this: void, most: number, scale: number, format: FigureParts['format']): number;
@@ -39,7 +39,7 @@ const outlineWidth = 0.3;
 const creaseWidth = 0.15;
 const loopWidth = 0.45;
 const letters = 2.8;
-/** Of a tag on the page, about, in CSS pixels. */
+/** The size of a tag on the page, about, in CSS pixels. */
 const tagPadding = 20;
 const letterWidth = 7;
 

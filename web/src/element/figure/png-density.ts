@@ -2,11 +2,11 @@
 
 import { crcOf } from '../../kernel/unpack/crc.js';
 
-/** Of the signature and the first chunk, which is always the header. */
+/** Bytes of the signature and the first chunk, which is always the header. */
 const headLength = 8 + 25;
 const inchesPerMetre = 1 / 0.0254;
 
-/** The same picture with so many pixels for each inch. */
+/** A copy of a picture with so many pixels for each inch. */
 export async function withDensity(png: Blob, dotsPerInch: number): Promise<Blob> {
   const chunk = new Uint8Array(21);
   const numbers = new DataView(chunk.buffer);

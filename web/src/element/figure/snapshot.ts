@@ -3,7 +3,7 @@
 import { type LegendContent, type LengthFormat, drawLegend } from '../../view/index.js';
 import type { TagLabel } from '../controls/readout.js';
 
-/** What a picture has beside the surface. */
+/** Options of a picture beside the surface. */
 export interface FigureOptions {
   /** Colours with their numbers, and the labels of pinned loops. Default: false. */
   legend?: boolean;
@@ -46,7 +46,7 @@ export interface FigureParts {
 
 const margin = 16;
 const labelHeight = 22;
-/** Of words, in units of the context, and on paper at least, in points. */
+/** The height of letters, in units of the context, and on paper at least, in points. */
 const letters = 13;
 const smallestLetters = 7;
 const pointsPerInch = 72;
@@ -77,7 +77,7 @@ export function figure(
   /** From the element's pixels to units of the context. */
   const shrink = ratio / zoom;
   const family = css.fontFamily || 'sans-serif';
-  // What is printed on nothing is printed on white.
+  // Ink on a transparent ground is that for white paper.
   const ink = isTransparent ? '#1c1d21' : colour('--girth-ink');
   const quiet = isTransparent ? '#5d6069' : colour('--girth-quiet');
   context.font = `${letters}px ${family}`;
