@@ -13,10 +13,10 @@ import type {
 } from '../../view/index.js';
 import type { GivenField } from './given-fields.js';
 
-/** What a combined field is made of. */
+/** An operand of a combined field. */
 export type Operand = Field | GivenField;
 
-/** What fields are combined with. */
+/** The functions that combining uses. */
 export interface CombiningKit {
   failure: typeof failure;
   summaryOf: typeof summaryOf;
@@ -35,7 +35,7 @@ export interface CombinedField {
   readonly note: string;
 }
 
-/** What has fields. */
+/** The source of fields to combine. */
 export interface FieldSource {
   /** A whole field; undefined where it is not there yet, or not at all. */
   wholeOf(name: ValuesName): Operand | undefined;
@@ -81,7 +81,7 @@ export async function combined(
   return combine(by, one!, other!, kit);
 }
 
-/** The same for a file. */
+/** The combined field for a file, with its name and unit. */
 export function combinedToWrite(
   { first, by, second }: Combination,
   { values }: CombinedField,

@@ -73,7 +73,7 @@ export class Fields {
   readonly #combined = new Map<ShownName, CombinedField>();
   /** The girth itself by each method, also while another one is shown, or one with a persistence. */
   readonly #girths = new Map<GirthMethod, Field>();
-  /** What was computed before, elsewhere, with the options that it was computed with. */
+  /** Fields that were computed before, elsewhere, with the options of their computation. */
   readonly #adopted: { field: Field; spectral: SpectralOptions | undefined }[] = [];
   /** The saddles of all vertices, where they are kept. */
   #barcodes: Barcodes | undefined;
@@ -107,9 +107,9 @@ export class Fields {
     return this.#states.get(name);
   }
 
-  /** What the model's file has of a name, as far as nothing else is known of that. */
+  /** The field that the model's file has of a name, unless a computed one counts instead. */
   givenOf(name: ShownName): GivenField | undefined {
-    // What is computed is exact; and files have the usual numbers of signatures.
+    // Computed fields are exact; and files have the usual numbers of signatures.
     if (isFieldName(name) && (this.#states.get(name)?.field || this.spectralOf(name))) {
       return undefined;
     }
@@ -144,7 +144,7 @@ export class Fields {
     return made;
   }
 
-  /** The same for a file, where `unit` is that of lengths. */
+  /** Makes one field of two for a file, where `unit` is that of lengths. */
   async combinedToWrite(name: CombinedName, unit: string): Promise<NamedField> {
     const made = await this.combine(name);
     const { combinedToWrite } = await import('./combined-field.js');
@@ -163,7 +163,7 @@ export class Fields {
     return [...this.#given.values()].map(({ name }) => name);
   }
 
-  /** Of the fields that are being computed, the one that was asked for first. */
+  /** The field that was asked for first among those that are being computed. */
   get computing(): FieldName | undefined {
     if (this.#keeping) return 'igf';
     return [...this.#states.values()].find(({ running }) => running)?.name;
@@ -298,7 +298,7 @@ export class Fields {
     this.#adopted.push({ field, spectral });
   }
 
-  /** What is known of a field without computing it again. */
+  /** The field as far as it is known without computing it again. */
   #known(name: FieldName, persistence: number): Field | undefined {
     const wish = JSON.stringify(this.spectralOf(name));
     const adopted = this.#adopted.find(

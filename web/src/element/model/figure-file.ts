@@ -11,7 +11,7 @@ export interface FigureValues {
   attribute: string;
   /** One for each vertex, in units of metres where the file states the unit; NaN where there is none. */
   values: Float64Array;
-  /** Of the girth, how each came about; empty for all others. */
+  /** The kind of loop behind each value of the girth; empty for all other fields. */
   kinds: Uint8Array;
   /** '' where the file states none; lengths are in metres where it states their unit. */
   unit: string;
@@ -19,7 +19,7 @@ export interface FigureValues {
   method: string;
 }
 
-/** What the file has. Lengths are in metres where it states their unit. */
+/** The content of the file. Lengths are in metres where it states their unit. */
 export interface FigureFile {
   positions: Float32Array<ArrayBuffer>;
   indices: Uint32Array<ArrayBuffer>;
@@ -33,7 +33,7 @@ export interface FigureFile {
   ownUnit: string;
 }
 
-/** What is not just so. */
+/** A file that is not just as it has to be. */
 class Unfit extends Error {}
 
 function must(holds: unknown): asserts holds {
@@ -159,7 +159,10 @@ type Primitive = ReturnType<Reader['primitives']>[number];
 
 const modeOf = ({ primitive }: Primitive): unknown => primitive['mode'] ?? triangles;
 
-/** What a GLB has in it; undefined for one without values, and for all that the kernel has to look at. */
+/**
+ * The surface and values of a GLB; undefined for one without values, and for all that the kernel
+ * has to look at.
+ */
 export function readFigure(bytes: ArrayBuffer): FigureFile | undefined {
   try {
     return figureOf(new Reader(bytes));
@@ -183,7 +186,7 @@ function figureOf(reader: Reader): FigureFile {
   must(indices.every((vertex) => vertex < vertexCount));
 
   const ownUnit = unitSymbol(textOf(extras['unit']));
-  // What is not ours, and says nothing of units, is in metres by the rules of glTF.
+  // Files of other programs that say nothing of units are in metres, by the rules of glTF.
   const unit = ownUnit || extras['unit'] === undefined ? 'm' : '';
   const abouts = optional(extras['fields']);
   const names = Object.keys(attributes).filter(

@@ -15,14 +15,14 @@ import { countSurface, vertexAreasOf } from './surface-counts.js';
 /** Surfaces farther from the origin than so many times their size are left to the kernel, which moves them. */
 const farthest = 64;
 
-/** What a file has in it. */
+/** The content of a file, with its surface. */
 export interface Figure {
   /** Its surface as it is; undefined where the kernel would have something to mend. */
   mesh: Mesh | undefined;
   content: FileContent;
 }
 
-/** What a file's bytes have in them; undefined where they have no values. */
+/** The surface and values in a file's bytes; undefined where they have no values. */
 export async function figureOf(
   bytes: ArrayBuffer,
   name: string,

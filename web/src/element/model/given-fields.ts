@@ -23,7 +23,7 @@ export function givenFields(all: readonly FigureValues[]): GivenField[] {
   return fields;
 }
 
-/** The same fields at the vertices of a surface that was made of the file's; those that do not cover it are left out. */
+/** Fields of a file at the vertices of a surface made of its own, as far as they cover it. */
 export function carriedTo(
   fields: readonly GivenField[],
   vertexOfInput: Uint32Array,

@@ -72,7 +72,7 @@ function someExact(
   };
 }
 
-/** What comes of so many values is work of its own, after that of receiving them. */
+/** Work on so many values is a task of its own, after that of receiving them. */
 export async function onItsOwn(girth: Promise<Field>): Promise<Field> {
   const field = await girth;
   await nextTask();

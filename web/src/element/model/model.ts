@@ -42,7 +42,7 @@ export class Model {
   readonly mesh: Mesh;
   readonly surface: Surface;
   readonly fields: Fields;
-  /** What its file has besides the surface. */
+  /** The content of its file besides the surface. */
   readonly file: FileContent;
   /** The way up that fits it. */
   readonly fitting: UpAxis;
@@ -76,7 +76,7 @@ export class Model {
     signal.throwIfAborted();
     const surface = new Surface(positions, indices, boundary, adjacency, creased);
     const fields = new Fields(mesh, adjacency, host, file.fields, girth);
-    // What follows puts it on the stage, and tells the page.
+    // The next task puts the surface on the stage, and tells the page.
     await nextTask();
     signal.throwIfAborted();
     return new Model(mesh, surface, fields, file, fitting);

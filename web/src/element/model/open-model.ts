@@ -25,7 +25,7 @@ export async function openModel(address: URL, watched: Watched): Promise<Opened>
   return figure ? withContent(mesh, figure.content) : { mesh, content: undefined };
 }
 
-/** The same by the kernel, which can compute, with what its file has in it. */
+/** The model at an address, read by the kernel, which can compute; with the content of its file. */
 export async function openToCompute(
   address: URL,
   content: FileContent,

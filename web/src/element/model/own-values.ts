@@ -1,5 +1,5 @@
-// What a GLB that was opened by hand has for its vertices, beside what the kernel reads of it and can compute. It is fetched
-// when a file is opened so, and uses what is handed to it, as `section-tool.ts` does.
+// Values at the vertices of a GLB that was opened by hand, beside all that the kernel can compute.
+// The module is fetched when a file is opened so, and uses functions that are handed to it.
 
 import type { failure } from '../../kernel/types/errors.js';
 import type { Mesh, MeshSource } from '../../kernel/types/types.js';
@@ -7,7 +7,7 @@ import type { readFigure } from './figure-file.js';
 import type { GivenField, carriedTo, givenFields } from './given-fields.js';
 import type { FileContent, onlySurface } from './file-content.js';
 
-/** What the element reads values with. */
+/** The functions that reading values uses. */
 export interface ValuesKit {
   readFigure: typeof readFigure;
   givenFields: typeof givenFields;
@@ -16,8 +16,8 @@ export interface ValuesKit {
 }
 
 /**
- * What a GLB that the kernel has read has for its vertices beside what the kernel computes; undefined for nothing, and
- * for other files. `scale`: how many times as large as the file the mesh is.
+ * The values of a GLB at the vertices of its mesh, beside fields of the kernel; undefined for none,
+ * and for other files. `scale`: how many times as large as the file the mesh is.
  */
 export async function ownValues(
   source: MeshSource,

@@ -6,7 +6,7 @@ import type { Field, FieldName, Loop, Mesh, MeshInfo } from '../../kernel/types/
 import { nothingPrepared } from './nothing-prepared.js';
 import { refusedCalls } from '../attributes/refused-calls.js';
 
-/** What is shown. */
+/** The content that a saved page shows. */
 export interface ShownContent {
   name: string;
   /** The symbol of the unit of lengths; '' where it is not known. */
@@ -40,7 +40,7 @@ export function shownMesh(content: ShownContent): Mesh {
     vertexCount: positions.length / 3,
     faceCount: indices.length / 3,
     edgeCount: (indices.length + boundary.length / 2) / 2,
-    // What the page does not carry, and the element does not ask for.
+    // Facts that the page does not carry, and the element does not ask for.
     components: 0,
     genus: [],
     boundaries: [],

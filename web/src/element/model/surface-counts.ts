@@ -1,5 +1,5 @@
-// What is known of a surface by counting: components, genus, boundary. For surfaces that nobody has prepared; what
-// the kernel would mend is found, not mended.
+// Counts of a surface that nobody has prepared: components, genus, boundary. Faults that the kernel
+// would mend are found, not mended.
 
 import type { MeshInfo } from '../../kernel/types/types.js';
 
@@ -11,7 +11,7 @@ const none = 0xffffffff;
 const nextOf = (h: number): number => (h % 3 === 2 ? h - 2 : h + 1);
 const previousOf = (h: number): number => (h % 3 === 0 ? h + 2 : h - 1);
 
-/** What is counted; lengths in the positions' unit. */
+/** The counts of a surface; lengths in the positions' unit. */
 export interface SurfaceCounts extends Pick<
   MeshInfo,
   'edgeCount' | 'components' | 'genus' | 'boundaries' | 'area' | 'size' | 'parts'
@@ -153,7 +153,7 @@ function areAlike(positions: Float32Array): boolean {
   return false;
 }
 
-/** Of each halfedge, the one that runs the other way; undefined where an edge has two that run the same way. */
+/** The opposite of each halfedge; undefined where an edge has two that run the same way. */
 function* oppositesOf(
   vertexCount: number,
   indices: Uint32Array,
@@ -194,7 +194,7 @@ function* oppositesOf(
   return opposite;
 }
 
-/** Of each vertex a halfedge that leaves it: at the boundary, the one without an opposite. */
+/** For each vertex a halfedge that leaves it: at the boundary, the one without an opposite. */
 function firstHalfedges(vertexCount: number, indices: Uint32Array, opposite: Uint32Array) {
   const start = new Uint32Array(vertexCount).fill(none);
   for (let h = 0; h < indices.length; ++h) {
