@@ -12,7 +12,7 @@ const worthOfRest = 80;
 
 /** A label to be placed. */
 export interface Label {
-  /** What it is about reaches over this box. */
+  /** The box that the label is about. */
   about: Box;
   width: number;
   height: number;
@@ -58,7 +58,7 @@ export function placeLabels(
     }
     const middle = about.top + about.height / 2 - height / 2;
     const see = (left: number, top: number): void => {
-      // Of places as good, that at the height of what it is about.
+      // The height of the labelled box decides between places that are as good.
       const cost = costAt(left, top) + 0.05 * Math.abs(top - middle);
       if (cost < least) [least, best] = [cost, { left, top }];
     };

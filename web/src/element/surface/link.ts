@@ -1,12 +1,13 @@
-// What elements of a page have in common: those of one name are seen from the same place, in radii of each surface, or
-// their colours span one range. Fetched when an element asks for it.
+// Links between elements of a page: elements of one name are seen from the same place, or span one
+// range of colours. The place is in radii of each surface. The module is fetched when an element
+// asks for it.
 
 import { findLengthUnit } from '../../kernel/types/length-units.js';
 import { type CameraView, type Stage, isSameView } from '../../view/index.js';
 import type { Ends } from './colour-range.js';
 import type { OwnRange } from './shading.js';
 
-/** Who belongs together: those of one name. */
+/** Groups of members, each of one name. */
 class Groups<Member> {
   readonly #names = new Map<Member, string>();
 
@@ -69,7 +70,7 @@ export class LinkedView {
   move(): void {
     const stage = this.#stageOf();
     if (!stage) return;
-    // What has only followed has no news for the one that it followed, which may have gone on since.
+    // An element that has only followed has no news for its leader, which may have gone on since.
     if (this.#followed && stage.view && isSameView(this.#followed, stage.view)) return;
     this.#followed = undefined;
     for (const one of views.of(this)) if (one !== this) one.#follow(stage);
@@ -84,7 +85,7 @@ export class LinkedView {
     this.#followed = stage.view;
   }
 
-  /** Those of the others where there is something to be seen. */
+  /** The stages of the others, where there is something to be seen. */
   get #others(): Stage[] {
     return views.of(this).flatMap((one) => (one === this ? [] : (one.#stageOf() ?? [])));
   }
@@ -92,7 +93,7 @@ export class LinkedView {
 
 /** The range that an element's colours span, which others' span, too. */
 export class SharedRange {
-  /** What the element's colours would span alone. */
+  /** The range that the element's colours would span alone. */
   #own: OwnRange | undefined;
   readonly #refresh: () => void;
 

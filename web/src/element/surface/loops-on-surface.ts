@@ -41,13 +41,13 @@ const pinnedStyle = { colour: '#ff7a45', weight: 0.9 };
 export interface PinnedLoop {
   /** Counts up from 1 for each model; also written on the surface. */
   id: number;
-  /** What it was called, also written on the surface; '' for nothing. */
+  /** The name that the loop was given, also written on the surface; '' for none. */
   name: string;
   /** `loop.base` is the point that it is the loop of. */
   loop: Loop;
 }
 
-/** Of `pick`: a loop was shown, kept, named or let go. */
+/** Details of `pick`: a loop was shown, kept, named or let go. */
 export interface PickDetail {
   /** 'hover': the loop under the pointer is shown; 'pin', 'name', 'unpin': it was kept, named, let go. */
   action: 'hover' | 'pin' | 'name' | 'unpin';
@@ -73,7 +73,7 @@ export interface LoopsHost {
   pointed(vertex: number | undefined): void;
   picked(detail: PickDetail): void;
   failed(error: unknown): void;
-  /** What else lies on the canvas. */
+  /** The boxes of other things that lie on the canvas. */
   furniture(): Box[];
 }
 
@@ -106,7 +106,7 @@ export class LoopsOnSurface {
   readonly #request: Latest<SurfacePoint, Loop>;
   #pins: Pin[] = [];
   #nextPin = 1;
-  /** What the tags were placed for, when, and that this is to be looked at again. */
+  /** The state that the tags were placed for, its time, and the timer to look at them again. */
   #placedFor = '';
   #placedAt = -Infinity;
   #placing: ReturnType<typeof setTimeout> | undefined;
@@ -127,7 +127,7 @@ export class LoopsOnSurface {
   #unheard: PointerEvent[] = [];
   /** The last click, until another one cannot make a pair with it. */
   #clicked: { x: number; y: number; time: number } | undefined;
-  /** What a single click will pin. */
+  /** The point that a single click will pin. */
   #awaited: SurfacePoint | undefined;
   #pinning: ReturnType<typeof setTimeout> | undefined;
   #pickRequested = 0;
@@ -246,8 +246,8 @@ export class LoopsOnSurface {
   }
 
   /**
-   * The same, or the points along the way of a pointer that is dragged over the surface. The pointer is heard from this
-   * call on: one that is pressed a moment later would turn the surface.
+   * Chooses one point, or the points along the way of a pointer that is dragged over the surface.
+   * The pointer is heard from this call on: pressed a moment later, it would turn the surface.
    */
   async chooseStroke({ signal, drawn }: StrokeOptions): Promise<SurfacePoint[]> {
     const ending = new AbortController();
@@ -343,7 +343,7 @@ export class LoopsOnSurface {
       this.clear();
       return;
     }
-    // What shows itself stops nothing.
+    // A loop that shows itself stops nothing.
     if (!isQuiet) this.#stage.touch();
     this.#hoverOn(point);
   }
@@ -530,7 +530,7 @@ export class LoopsOnSurface {
     this.#remember(event);
     if (isTouch) this.#host.pointed(point && this.#model.surface.nearestVertex(point));
     if (point === undefined) this.clear();
-    // What is seen is what is pinned, even if the surface has just moved a little further.
+    // The loop that is seen is pinned, even if the surface has just moved a little further.
     else if (!isTouch) this.#pinSoon(this.#hovered ?? point);
     // A finger cannot hover: its first tap shows the loop, a later tap near by pins it.
     else if (this.#hover && this.#isNear(point, this.#hover.loop.base)) {
@@ -587,7 +587,7 @@ export class LoopsOnSurface {
     this.#showLength();
   }
 
-  /** Of a surface so large that its loops take a while: the length at a point by the girth that it has. */
+  /** The length at a point by the girth, for surfaces so large that their loops take a while. */
   #lengthAt(point: SurfacePoint): number | undefined {
     const { fields, mesh } = this.#model;
     const state = fields.method === 'exact' ? undefined : fields.get('igf');
@@ -639,7 +639,7 @@ export class LoopsOnSurface {
     this.#readout.place(point.x, point.y, box.width, box.height, this.#host.furniture());
   }
 
-  /** What shows itself covers nothing: its length stands clear of the surface, and rests where it can. */
+  /** Places the length of a loop that shows itself clear of the surface; it rests where it can. */
   #placeBeside({ x, y }: { x: number; y: number }, { width, height }: DOMRect): void {
     const wait = this.#besideAt + restTime - performance.now();
     if (this.#readout.spot && wait > 0) {

@@ -1,10 +1,10 @@
-// What a browser prints of an element: a figure with its legend, made when printing begins, in place of what is on
-// the screen.
+// The print of an element: a figure with its legend, made when printing begins, in place of what is
+// on the screen.
 
 import { printDensity } from '../figure/snapshot.js';
 
 const pixelsPerInch = 96;
-/** Of a sheet of A4 or letter between its margins, in inches. */
+/** The width of a sheet of A4 or letter between its margins, in inches. */
 const widestFigure = 7.5;
 /** All figures of a page together have no more pixels; the elements that are left print what is on the screen. */
 const mostPixels = 64e6;

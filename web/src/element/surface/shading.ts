@@ -1,4 +1,4 @@
-// What colours the surface of a model: a field, its range and its lines, or categories; and the legend.
+// Colours of a model's surface: a field, its range and its lines, or categories; and the legend.
 
 import type {
   Field,
@@ -57,10 +57,10 @@ const codeWords = { kind: girthKinds, state: girthStates };
 type CodesName = keyof typeof codeWords;
 const isOfCodes = (name: ShownName): name is CodesName => Object.hasOwn(codeWords, name);
 
-/** What the element's attributes ask for. */
+/** The wishes of the element's attributes. */
 export interface ShadingWishes {
   name: ShownName;
-  /** What the legend calls it; '' for its usual name. */
+  /** The title in the legend; '' for the field's usual name. */
   title: string;
   /** Undefined: as fits the field. */
   colormap: ColormapName | undefined;
@@ -69,15 +69,15 @@ export interface ShadingWishes {
   /** Whether equal factors, rather than equal differences, are equally far apart in the colour map. */
   log: boolean;
   isolines: number;
-  /** Of lengths; '' where it is not known. */
+  /** The unit of lengths; '' where it is not known. */
   unit: string;
-  /** What lengths are written in; '' for that unit. */
+  /** The unit that lengths are written in; '' for `unit`. */
   shownUnit: string;
 }
 
-/** What is shown, once there is something to show. */
+/** The shown field and its colours, once there is something to show. */
 export interface ShownField {
-  /** What colours the surface. */
+  /** The name of the field or categories that colour the surface. */
   name: ShownName;
   /** The values at the ends of the colour map; undefined for categories. */
   range: readonly [number, number] | undefined;
@@ -95,9 +95,9 @@ export interface ShownField {
 export interface ShownPlaces {
   /** The legend's title. */
   title: string;
-  /** Of each vertex, an index into the categories. */
+  /** For each vertex an index into the categories. */
   kinds: Uint8Array;
-  /** What the kinds are. */
+  /** The categories that `kinds` counts. */
   categories: readonly Category[];
 }
 
@@ -116,11 +116,11 @@ const isOfCategories = (name: ShownName): boolean => isOfCodes(name) || name ===
 const hasBody = (name: ShownName): boolean =>
   !isOfCategories(name) && name !== 'tips' && name !== 'angle';
 
-/** What the colours of a surface span by themselves. */
+/** The range that the colours of a surface span by themselves. */
 export interface OwnRange {
-  /** What colours the surface. */
+  /** The name of the field that colours the surface. */
   name: ShownName;
-  /** Of the values; '' for none. */
+  /** The unit of the values; '' for none. */
   unit: string;
   ends: Ends;
   /** Whether two numbers were wished for. */
@@ -144,7 +144,7 @@ export class Shading {
   #current: ShownField | undefined;
   /** The whole field that was painted last; undefined for anything else. */
   #whole: Field | GivenField | CombinedField | undefined;
-  /** What colours the surface until that is there which is wished for. */
+  /** The name of what colours the surface until the wished field is there. */
   #painted: ShownName = 'none';
   readonly #model: Model;
 
@@ -161,13 +161,15 @@ export class Shading {
     return this.#current;
   }
 
-  /** What colours the surface: what is wished for, or what did before, as long as that is not there. */
+  /**
+   * The name of what colours the surface: the wished field, or the one before until that is there.
+   */
   get name(): ShownName {
     const { name } = this.wishes;
     return this.#isThere(name) ? name : this.#painted;
   }
 
-  /** What that is called. */
+  /** The title of what colours the surface. */
   get title(): string {
     return this.wishes.title || fieldTitle(this.name);
   }
@@ -185,7 +187,7 @@ export class Shading {
     return !!field || !!preview?.range;
   }
 
-  /** What is known of a name: a whole field, computed or as the model's file has it; or what there is of it so far. */
+  /** The field of a name, computed or as the file has it; or its part that is there so far. */
   #knownOf(name: ShownName): {
     field?: Field | GivenField | CombinedField;
     preview?: FieldPreview;
@@ -238,7 +240,7 @@ export class Shading {
   }
 
   async #awaitRange({ values, range: extent }: Field): Promise<void> {
-    // What goes wrong with the areas is reported where the colours are prepared.
+    // A failure to find the areas is reported where the colours are prepared.
     this.#areas ??= await this.#model.areas().catch(() => undefined);
     const { range } = this.wishes;
     if (range?.by === 'shares' && this.#areas) {
@@ -443,7 +445,7 @@ export class Shading {
       colormap,
       range,
       extent,
-      // What has one range with others is written as theirs is.
+      // Values that share a range with others are written as the others' are.
       format: isShared ? this.#formatFor(name, Math.max(range[1], -range[0])) : format,
       log,
       isolines,
@@ -452,7 +454,7 @@ export class Shading {
     };
   }
 
-  /** Of the girth, where it is whole; otherwise empty. */
+  /** The codes of the vertices, where the girth is whole; otherwise empty. */
   #codesOf(name: CodesName): Uint8Array {
     const igf = this.#model.fields.wholeOf('igf');
     const codes = name === 'kind' ? igf?.kinds : (igf as Partial<RefinedGirth> | undefined)?.states;
@@ -515,7 +517,7 @@ export class Shading {
     return this.#colourRange.sharesOf(values, this.#areas, ends);
   }
 
-  /** What the colours do not show: 'up to 348.6 in 0.6% of the surface'. */
+  /** The values beyond the colours, in words: 'up to 348.6 in 0.6% of the surface'. */
   #beyond(name: ShownName, [low, high]: Ends, extent: Ends): string | undefined {
     const isCut = [extent[0] < low, extent[1] > high];
     if (!isCut[0] && !isCut[1]) return undefined;
@@ -531,7 +533,7 @@ export class Shading {
     return `${words.filter(Boolean).join(', ')} in ${percent}% of the surface`;
   }
 
-  /** What else there is to know of the values: what the core notes about them, and what is grey. */
+  /** A note on the values: that of the core, and the meaning of grey. */
   #noteOf(name: ShownName): string {
     if (name === 'tips') return this.#tips?.made.tips.length === 0 ? 'no tips' : '';
     const source = name === 'parts' ? 'sdf' : name;

@@ -1,4 +1,4 @@
-// What happens round the element on its page: its size, whether it is in view, how much motion is wished for.
+// Surroundings of the element: its size, whether it is in view, the wish for less motion.
 
 export interface SurroundingsEvents {
   /** The element has this size in CSS pixels. */

@@ -28,7 +28,7 @@ export class TipsOnSurface {
     this.#model = model;
   }
 
-  /** What is drawn, and how; undefined for nothing. */
+  /** The tips that are drawn, and how; undefined for none. */
   get shown(): { all: Tips; choice: TipsChoice } | undefined {
     return this.#shown;
   }
