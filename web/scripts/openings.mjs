@@ -9,7 +9,7 @@ import { filesBelow } from './stale.mjs';
 const folders = [
   ...['cpp', 'tests'],
   ...['web/app', 'web/docs', 'web/examples', 'web/scripts'],
-  ...['web/src/kernel', 'web/src/node', 'web/src/view'],
+  ...['web/src/element', 'web/src/kernel', 'web/src/node', 'web/src/view'],
 ];
 
 const opening = /^(?:And of|Of|The same|Those|What|Who)\b/;

@@ -5,12 +5,12 @@ import type { ShownName } from '../view/index.js';
 import type { PickDetail } from './surface/loops-on-surface.js';
 import type { ShownField } from './surface/shading.js';
 
-/** Of `load`: a model is shown. */
+/** Details of `load`: a model is shown. */
 export interface LoadDetail {
-  /** What the model is. */
+  /** The facts of the model. */
   info: MeshInfo;
 }
-/** Of `progress`: a field is being computed. */
+/** Details of `progress`: a field is being computed. */
 export interface ProgressDetail {
   /** Which field. */
   name: FieldName;
@@ -19,32 +19,32 @@ export interface ProgressDetail {
   /** An estimate; undefined while it is too early for one. */
   secondsLeft: number | undefined;
 }
-/** Of `field`: a field has been computed, or its work was cancelled. */
+/** Details of `field`: a field has been computed, or its work was cancelled. */
 export interface FieldDetail {
   /** Which field. */
   name: FieldName;
   /** Smallest and largest value; NaN twice where there is no value. */
   range: [number, number];
-  /** Of the values; lengths in the element's unit. */
+  /** The unit of the values; for lengths the element's. */
   unit: string;
   /** 1, or the computed share of the vertices where the work was cancelled. */
   share: number;
 }
-/** Of `fieldchange`: something else colours the surface, or in another way. */
+/** Details of `fieldchange`: something else colours the surface, or in another way. */
 export interface FieldChangeDetail {
-  /** What colours it. */
+  /** The name of the field or categories that colour the surface. */
   name: ShownName;
   /** Undefined as long as there is nothing to show. */
   shown: ShownField | undefined;
 }
-/** Of `hover`: what is pointed at has changed. */
+/** Details of `hover`: another vertex is pointed at, or none. */
 export interface HoverDetail {
   /** The vertex nearest to what is pointed at; undefined beside the surface. */
   vertex: number | undefined;
   /** The values there of every field that is computed there. */
   values: Partial<Record<FieldName, number>>;
 }
-/** Of `error`: something has failed, or was asked for wrongly. */
+/** Details of `error`: something has failed, or was asked for wrongly. */
 export interface ErrorDetail extends GirthErrorFields {
   /** The attribute whose value is wrong; undefined for all other errors. */
   attribute?: string | undefined;
@@ -60,7 +60,7 @@ export interface GirthViewerEvents {
   field: CustomEvent<FieldDetail>;
   /** Something else colours the surface, or in another way. */
   fieldchange: CustomEvent<FieldChangeDetail>;
-  /** What is pointed at has changed. */
+  /** Another vertex is pointed at, or none. */
   hover: CustomEvent<HoverDetail>;
   /** A loop was shown, pinned, named or unpinned. */
   pick: CustomEvent<PickDetail>;
@@ -85,7 +85,7 @@ export interface GirthViewerEvents {
 export interface GirthViewerEventMap
   extends Omit<HTMLElementEventMap, keyof GirthViewerEvents>, GirthViewerEvents {}
 
-/** What hears an event of the element. */
+/** A listener of an event of the element. */
 export type GirthViewerListener<Name extends keyof GirthViewerEventMap> =
   | ((event: GirthViewerEventMap[Name]) => unknown)
   | {

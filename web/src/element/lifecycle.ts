@@ -1,5 +1,5 @@
-// What the element is doing: a state machine of loading, showing and colouring. It knows no document and no
-// canvas; what it brings about is done by its host.
+// The life of the element: a state machine of loading, showing and colouring. It knows no document
+// and no canvas; its effects are its host's work.
 //
 // | event                | detached | empty    | loading      | shown     | replacing    |
 // | -------------------- | -------- | -------- | ------------ | --------- | ------------ |
@@ -27,7 +27,7 @@ const readingShare = 0.7;
 export type Phase = 'detached' | 'empty' | 'loading' | 'shown' | 'replacing';
 export type Colouring = 'none' | 'pending' | 'computing' | 'done' | 'halted' | 'failed';
 
-/** What a model is drawn from; it takes memory until it is disposed of. */
+/** A resource that a model is drawn from; it takes memory until it is disposed of. */
 export interface Disposable {
   dispose(): void;
 }
@@ -36,14 +36,14 @@ export interface Disposable {
 export interface Wanted<Mesh, Origin> {
   /** Shown meanwhile. */
   words: string;
-  /** Of the model, for messages; '' for none. */
+  /** The name of the model, for messages; '' for none. */
   name: string;
   read: (watched: Watched) => Promise<Mesh>;
-  /** What the mesh is made of, where that is to be kept. */
+  /** The original that the mesh is made of, where it is to be kept. */
   origin?: Origin | undefined;
 }
 
-/** What the machine brings about. */
+/** The host, which carries out what the machine decides. */
 export interface LifecycleHost<Mesh, Model, Shown, Origin> {
   /** Makes what was read ready to draw. */
   prepare(mesh: Mesh, signal: AbortSignal): Promise<Model>;
@@ -93,12 +93,12 @@ export class Lifecycle<
     return this.#colouring;
   }
 
-  /** What is shown; undefined where nothing is. */
+  /** The model as it is shown; undefined where none is. */
   get shown(): Shown | undefined {
     return this.#present?.shown;
   }
 
-  /** What the shown model was made of; undefined where that was not kept. */
+  /** The original that the shown model was made of; undefined where it was not kept. */
   get origin(): Origin | undefined {
     return this.#origin;
   }
@@ -143,7 +143,7 @@ export class Lifecycle<
           signal,
           onProgress: (share) => onProgress(readingShare * share),
         });
-        // What is shown already, or was before, is not this load's to dispose of.
+        // A mesh that is shown already, or was before, is not this load's to dispose of.
         const isOwn = mesh !== this.#present?.mesh && mesh !== this.#origin?.mesh;
         try {
           onProgress(readingShare);

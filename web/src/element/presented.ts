@@ -27,15 +27,15 @@ import { TipsOnSurface } from './surface/tips-on-surface.js';
 
 /** A place of the surface to look at: a vertex, a region, a line, or some of these together. */
 export interface PlaceOnSurface {
-  /** Of the region. */
+  /** The vertices of the region. */
   vertices?: ArrayLike<number>;
   /** A single one. */
   vertex?: number;
-  /** Of the line: x, y, z per point, from `Mesh.geometry.origin`. */
+  /** The points of the line: x, y, z of each, from `Mesh.geometry.origin`. */
   polyline?: Float32Array;
 }
 
-/** What a picture of a place shows; see `GirthViewer.snapshotOf`. */
+/** The content of a picture of a place; see `GirthViewer.snapshotOf`. */
 export interface PlacePicture {
   /** Shown as they are, the rest of the surface faded. */
   vertices: ArrayLike<number>;
@@ -55,7 +55,7 @@ export interface PartsWish extends PartThresholds {
 
 /** Points of a region that suffice to find where it is. */
 const enoughPoints = 300;
-/** Of more points between which something is drawn only the ends are marked. */
+/** A line through more points than these has only its ends marked. */
 const mostMarked = 12;
 const pathStyle = { colour: '#3fd0ff', weight: 0.9 };
 const curveStyle = { colour: '#e8c35a', weight: 0.6 };
@@ -75,7 +75,7 @@ export class Presented {
   #points: PointMarks | undefined;
   #path: LoopBand | undefined;
   #curves: LoopBand[] = [];
-  /** What the two are drawn of. */
+  /** The points that the path and the curves are drawn of. */
   #pathLine: Float32Array | undefined;
   #curveLines: readonly Float32Array[] = [];
   #marked: ArrayLike<number> | undefined;
@@ -228,7 +228,7 @@ export class Presented {
     if (this.#path) this.#stage.add(this.#path);
   }
 
-  /** What is between points, with them; of a path that was drawn, with its ends. */
+  /** Shows a path with its points; of more than `mostMarked` only the ends. */
   showBetween(points: readonly SurfacePoint[], polyline: Float32Array | undefined): void {
     this.showPoints(points.length > mostMarked ? [points[0]!, points.at(-1)!] : points);
     this.showPath(polyline);

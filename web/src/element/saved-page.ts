@@ -1,5 +1,6 @@
-// What a saved page runs: it shows a surface and values that were computed elsewhere, by the element alone. No kernel, no
-// worker, nothing fetched. `pygirth.show` of the Python package makes such pages (cpp/python/pygirth/_show.py).
+// The program of a saved page: it shows a surface and values that were computed elsewhere, by the
+// element alone. It runs no kernel and no worker, and fetches nothing. `pygirth.show` of the Python
+// package makes such pages (cpp/python/pygirth/_show.py).
 
 import type { Field, Kernel, Loop } from '../kernel/types/types.js';
 import { formatLength } from '../view/index.js';
@@ -8,7 +9,7 @@ import { type Packed, unpacked } from './model/packed.js';
 import { useKernel } from './model/shared-kernel.js';
 import { type ShownContent, shownMesh } from './model/shown-mesh.js';
 
-/** What the page carries, as JSON. */
+/** The content of the page, as JSON. */
 interface PageContent extends Pick<ShownContent, 'name' | 'unit' | 'origin' | 'size' | 'area'> {
   positions: Packed;
   indices: Packed;

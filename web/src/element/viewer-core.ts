@@ -1,5 +1,5 @@
-// What the element draws and computes: a model that comes and goes, as the attributes ask for it. It is fetched
-// when it is first needed; what is there before is in `viewer-shell.ts`.
+// The core of the element, which draws and computes: a model that comes and goes, as the attributes
+// ask for it. It is fetched when it is first needed; `viewer-shell.ts` is there before.
 
 import { failure } from '../kernel/types/errors.js';
 import type {
@@ -66,18 +66,18 @@ const narrow = 520;
 const legendHeight = 92;
 /** In a drawing, what is in front of a line by less than this share of the surface's radius does not hide it. */
 const drawnSlack = 0.004;
-/** Of the status, with its margin, at the bottom; CSS pixels. */
+/** The height of the status at the bottom, with its margin; CSS pixels. */
 const statusHeight = 56;
 
-/** What a surface was made of, by remeshing it or by taking its handles away. */
+/** The surface from which another was made, by remeshing it or by taking its handles away. */
 export interface Original {
   mesh: Mesh;
   field: Field | undefined;
-  /** What was taken away. */
+  /** The handles that were taken away. */
   removal?: HandleRemoval;
 }
 
-/** What was shown of a model as its file has it, and is shown of the mesh that the kernel has read. */
+/** The view and pins of a model shown as its file has it, for the mesh that the kernel has read. */
 interface Continued {
   mesh: Mesh;
   /** Undefined: as at first. */
@@ -150,17 +150,17 @@ export class ViewerCore {
     },
   );
 
-  /** What the surface is drawn on, while the element is on a page. */
+  /** The stage that the surface is drawn on, while the element is on a page. */
   stage: Stage | undefined;
   readonly #reported = new WeakSet<object>();
-  /** What files have besides the surface, by the meshes that were made of them. */
+  /** The content of files besides the surface, by the meshes that were made of them. */
   readonly #contents = new WeakMap<Mesh, FileContent>();
   /** The girths of meshes that were shown before. */
   readonly #girths = new WeakMap<Mesh, Field>();
   /** Where the kernel can read a model that is shown as its file has it. */
   readonly #addresses = new WeakMap<Mesh, URL>();
   #reading: Promise<Presented> | undefined;
-  /** What is shown of a model goes on with what the kernel makes of it. */
+  /** The view and pins of the shown model go on with the kernel's mesh of it. */
   #continued: Continued | undefined;
   /** Whether the model of `src` is on its way: what attributes ask for is about it. */
   #isOpening = false;
@@ -175,7 +175,7 @@ export class ViewerCore {
   readonly #controls: CanvasControls;
   #stopWatching: (() => void) | undefined;
   #printed: Printed | undefined;
-  /** What it has in common with other elements, once that is asked for. */
+  /** The view and the range in common with other elements, once they are asked for. */
   #shared: { view: LinkedView; range: SharedRange } | undefined;
   #attached = new AbortController();
 
@@ -392,7 +392,7 @@ export class ViewerCore {
     return this.#lifecycle.shown;
   }
 
-  /** What the shown surface was made of; undefined where it was not. */
+  /** The original that the shown surface was made of; undefined where it was not. */
   get madeFrom(): Original | undefined {
     return this.#lifecycle.origin;
   }
@@ -438,7 +438,7 @@ export class ViewerCore {
     return undefined;
   }
 
-  /** The same of an address, but as it is where the file has its values in it. */
+  /** Opens an address; a file that has its values in it is shown as it is. */
   async #open(src: string): Promise<void> {
     this.#continued = undefined;
     const address = this.#addressOf(src);
@@ -619,7 +619,7 @@ export class ViewerCore {
     });
   }
 
-  /** What a picture has beside the surface. */
+  /** The parts of a picture beside the surface. */
   #figureParts(stage: Stage): FigureParts {
     return {
       legend: this.presented?.shading.legend,
@@ -669,7 +669,7 @@ export class ViewerCore {
     this.#isOpening = !!src;
     await this.#lifecycle.inView();
     if (!src || turn !== this.#openTurn) return;
-    // What went wrong has been reported already.
+    // A failure has been reported already.
     await this.#open(src).catch(() => undefined);
     if (turn === this.#openTurn) this.#isOpening = false;
   }
@@ -697,7 +697,7 @@ export class ViewerCore {
     return presented;
   }
 
-  /** What lies on the canvas beside the surface: what the page writes on top, and the element's own. */
+  /** The boxes on the canvas beside the surface: the top that the page writes on, and the element's own. */
   #furniture(): Box[] {
     const { left, top, width, height } = this.#host.frame.getBoundingClientRect();
     const own = [...this.#legend.pieces, ...this.#status.element.children, this.#controls.element];
@@ -736,14 +736,14 @@ export class ViewerCore {
     void this.#showField();
   }
 
-  /** What may come after the first picture. */
+  /** Does the work that may come after the first picture. */
   async #afterShowing(presented: Presented, continued: Continued | undefined): Promise<void> {
     const { model, loops, standing } = presented;
     const { signal } = model.life;
     try {
       await new Promise((resolve) => setTimeout(resolve));
       signal.throwIfAborted();
-      // What is shown as its file has it waits for a pointer.
+      // A model that is shown as its file has it waits for a pointer.
       if (!model.file.isAll) await this.#prepareToPick(model);
       signal.throwIfAborted();
       await standing.castShadow();
@@ -770,7 +770,7 @@ export class ViewerCore {
     const { model } = this.presented ?? {};
     if (!model?.file.isAll || this.#approachedBy === model) return;
     this.#approachedBy = model;
-    // What goes wrong is reported where it does.
+    // A failure is reported where it occurs.
     if (attributeOf(this.#element, 'loop') === 'none') void this.#prepareToPick(model);
     else void this.whole().catch(() => undefined);
   }
@@ -894,12 +894,12 @@ export class ViewerCore {
 
   // ---- colours
 
-  /** What the attributes ask for. */
+  /** The wishes of the attributes. */
   get #wishes(): ShadingWishes {
     return this.#wishesFor(this.presented?.model);
   }
 
-  /** What they ask for of a model, which need not be shown yet. */
+  /** The wishes of the attributes for a model, which need not be shown yet. */
   #wishesFor(model: Model | undefined): ShadingWishes {
     const field = attributeOf(this.#element, 'field')?.toLowerCase() ?? null;
     const given = model?.file.leads ? model.fields.givenNames : [];

@@ -110,7 +110,10 @@ export class GirthViewer extends MeshCalls {
     return this.require().shading.formatOf(name);
   }
 
-  /** What colours the surface, with its range; undefined as long as there is nothing to show. */
+  /**
+   * The field or categories that colour the surface, with their range; undefined as long as there
+   * is nothing to show.
+   */
   get shown(): ShownField | undefined {
     return this.presented?.shading.shown;
   }
@@ -152,12 +155,17 @@ export class GirthViewer extends MeshCalls {
     return core.restore();
   }
 
-  /** What the surface was made of by `remesh` or `removeHandles`; undefined where it was not. */
+  /**
+   * The original that `remesh` or `removeHandles` made the surface of; undefined where neither did.
+   */
   get original(): MeshInfo | undefined {
     return this.core?.madeFrom?.mesh.info;
   }
 
-  /** What `removeHandles` took away from the original; undefined where it was not made so. */
+  /**
+   * The handles that `removeHandles` took away from the original; undefined where the surface was
+   * not made so.
+   */
   get removal(): HandleRemoval | undefined {
     return this.core?.madeFrom?.removal;
   }

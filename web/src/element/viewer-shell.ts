@@ -41,7 +41,7 @@ export abstract class ViewerShell extends ElementOrNone {
   #isStandingIn = true;
   #fetching: Promise<ViewerCore> | undefined;
   #watching: IntersectionObserver | undefined;
-  /** What the element draws and computes; undefined until it is needed. */
+  /** The core, which draws and computes; undefined until it is needed. */
   protected core: ViewerCore | undefined;
 
   constructor() {
@@ -70,7 +70,7 @@ export abstract class ViewerShell extends ElementOrNone {
       { rootMargin: `${nearness}px` },
     );
     this.#watching.observe(this);
-    // What will be needed can come while the page is busy with other things.
+    // The core can come while the page is busy with other things.
     if (attributeOf(this, 'loading') !== 'lazy') void import('./viewer-core.js').catch(() => 0);
   }
 
@@ -104,7 +104,7 @@ export abstract class ViewerShell extends ElementOrNone {
     this.core?.follow(name, value);
   }
 
-  /** What is drawn, once there is something to draw. */
+  /** The model as it is drawn, once there is something to draw. */
   protected get presented(): Presented | undefined {
     return this.core?.presented;
   }
@@ -125,8 +125,8 @@ export abstract class ViewerShell extends ElementOrNone {
   }
 
   /**
-   * What is shown, in the words of the attributes: `JSON.stringify` keeps it. What was done by hand or by methods is in it;
-   * `src` only where it names the model that is shown.
+   * The state of the element, in the words of the attributes: `JSON.stringify` keeps it. Changes by
+   * hand or by methods are in it; `src` only where it names the model that is shown.
    */
   get state(): ViewerState {
     const state = stateOf(this);
@@ -146,7 +146,7 @@ export abstract class ViewerShell extends ElementOrNone {
       if (name === 'src' && text === null) continue;
       if (text === null) this.removeAttribute(name);
       else this.setAttribute(name, text);
-      // What hands have changed since is brought back, although the attribute is the same.
+      // A change by hand since is taken back, although the attribute is the same.
       if (text === before) this.core?.followAgain(name, text);
     }
   }
@@ -174,7 +174,7 @@ export abstract class ViewerShell extends ElementOrNone {
     this.core?.cancel();
   }
 
-  /** What is drawn; throws where no model is. */
+  /** The model as it is drawn; throws where none is. */
   protected require(): Presented {
     if (!this.core) throw new Error('no model is loaded');
     return this.core.require();
@@ -186,7 +186,7 @@ export abstract class ViewerShell extends ElementOrNone {
     return this.core!.whole();
   }
 
-  /** What the element draws and computes, fetched now unless it is there. */
+  /** The core, fetched now unless it is there. */
   protected needed(): Promise<ViewerCore> {
     this.#fetching ??= import('./viewer-core.js').then(
       ({ ViewerCore }) => {
@@ -224,7 +224,7 @@ export abstract class ViewerShell extends ElementOrNone {
   }
 
   async #start(): Promise<void> {
-    // What went wrong has been reported already.
+    // A failure has been reported already.
     await this.needed().catch(() => undefined);
   }
 

@@ -11,7 +11,7 @@ export interface Watched {
 
 /** Where work is shown. */
 export interface WorkDisplay {
-  /** What is being done, and the finished share of it. */
+  /** Shows the words for the work, and its finished share. */
   showWork(words: string, share: number): void;
   endWork(): void;
 }
