@@ -76,7 +76,7 @@ export class ComparePanel {
     this.#thumbnail = (await import('./thumbnail.js')).thumbnail;
     this.#refresh();
   });
-  /** For keys: what a model is called here. */
+  /** Numbers of the models, which are parts of keys. */
   readonly #numbers = new Map<ComparedModel, number>();
   #comparing = new AbortController();
   #isRunning = false;

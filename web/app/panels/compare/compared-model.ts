@@ -17,7 +17,7 @@ export class ComparedModel {
   weights: Float64Array | undefined;
   /** The finished share of what is computed now. */
   share = 0;
-  /** Why it cannot be compared; '' where it can. */
+  /** The reason why the model cannot be compared; '' where it can. */
   failure = '';
   /** Aborted to stop what is computed now; another one comes with the next computation. */
   #work = new AbortController();

@@ -13,10 +13,10 @@ const width = 72;
 const height = 54;
 /** Faces that a picture of this size can show; of more, every so manieth is drawn larger. */
 const mostFaces = 40_000;
-/** From the front, a little from the right and from above. */
+/** The view is from the front, a little from the right and from above. */
 const [right, up] = [0.55, 0.4];
 
-/** Where a point is seen: right, up, towards the eye. */
+/** The place of a point as it is seen: right, up, towards the eye. */
 function seen(x: number, y: number, z: number): [number, number, number] {
   const across = Math.cos(right) * x - Math.sin(right) * z;
   const towards = Math.sin(right) * x + Math.cos(right) * z;

@@ -78,7 +78,7 @@ const ownRange = 'own';
 const isolineCounts = [0, 5, 10, 20, 40];
 /** Milliseconds between two pictures while values arrive. */
 const interval = 200;
-/** Or so many times what a picture took. */
+/** The least time between two pictures, in times that one picture took. */
 const rest = 15;
 
 /** The page, as far as the panel needs it. */

@@ -69,7 +69,7 @@ export class MethodChoice {
     this.#draft.discard();
   }
 
-  /** For what colours the surface; hidden where the method does not matter to it, and for small models. */
+  /** Shows the choice for a field; hidden where no method matters to it, and for small models. */
   show(name: string): void {
     this.#name = name;
     const { method } = this;

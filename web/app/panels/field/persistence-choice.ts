@@ -74,7 +74,7 @@ export class PersistenceChoice {
     this.show('igf');
   }
 
-  /** For the field that colours the surface; hidden where saddles do not matter to it. */
+  /** Shows the choice for a field; hidden where saddles do not matter to it. */
   show(name: string): void {
     this.#name = name;
     this.element.hidden = !concerned.has(name);
@@ -83,13 +83,13 @@ export class PersistenceChoice {
     this.#write();
   }
 
-  /** In percent: what is waited for, or what the attribute asks for. */
+  /** The wished persistence in percent: the one waited for, or that of the attribute. */
   get #wanted(): number {
     const viewer = this.#viewer;
     return this.#awaited ?? (100 * persistenceOf(viewer)) / Math.sqrt(viewer.info?.area ?? 1);
   }
 
-  /** Where the slider is; exactly what is wanted where it was not moved. */
+  /** The persistence of the slider; exactly the wished one where it was not moved. */
   get #percent(): number {
     const at = Number(this.#draft.text);
     const wanted = this.#wanted;

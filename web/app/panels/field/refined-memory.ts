@@ -1,4 +1,4 @@
-// How much memory the refined girth takes, before it is computed.
+// An estimate of the memory that the refined girth takes, before it is computed.
 
 import type { MeshInfo } from '../../../src/kernel/index.js';
 
@@ -16,7 +16,7 @@ export const mostMemory = 2e9;
 /** Vertices that the mean girth is known by. */
 const enough = 10_000;
 
-/** In bytes, on so many threads, from the girth of a coarse surface, one value for each vertex. */
+/** The memory in bytes, from the girth of a coarse surface, one value for each vertex. */
 export function refinedMemory(
   { vertexCount, faceCount, area }: Pick<MeshInfo, 'vertexCount' | 'faceCount' | 'area'>,
   girth: Float64Array,

@@ -37,7 +37,7 @@ export class SecondField {
     this.#draft = new Draft(this.#list, { committed: (rest) => chosen(this.#with(rest)) });
   }
 
-  /** For what colours the surface; hidden where that has no numbers at every vertex. */
+  /** Shows the choice for a field; hidden where the field has no numbers at every vertex. */
   show(name: ShownName): void {
     const combined = combinationOf(name);
     this.#first = combined?.first ?? name;

@@ -79,7 +79,7 @@ export class SignatureChoice {
     this.show('igf');
   }
 
-  /** For the field that colours the surface; hidden where that is no signature. */
+  /** Shows the choice for a field; hidden where the field is no signature. */
   show(name: string): void {
     const shown = Object.hasOwn(signatures, name)
       ? signatures[name as SpectralFieldName]

@@ -123,7 +123,7 @@ export class LimbAxisProfile {
     return [{ word: `axis-${this.#number}`, svg: (width) => this.#plot.svg(width) }];
   }
 
-  /** As `girth profile --limb` has it, in the unit that is shown. */
+  /** The table of `girth profile --limb`, in the unit that is shown. */
   get table(): Table {
     const { unit, scale } = this.#viewer.lengthFormat;
     const area = unit === '' ? '' : `${unit}²`;

@@ -111,7 +111,7 @@ export class LimbsPanel {
     this.panel.onToggle((isOpen) => {
       if (isOpen) this.#search.start();
       else this.#select(undefined);
-      // After another panel has taken its own lines away.
+      // The axis is drawn after another panel has taken its own lines away.
       queueMicrotask(() => this.#axis.draw(this.panel.isOpen));
       this.#showAxis();
     });
@@ -145,7 +145,7 @@ export class LimbsPanel {
     if (this.panel.isOpen) this.#search.start();
   }
 
-  /** As spreadsheets have it, in the unit that is shown. */
+  /** The table for spreadsheets, in the unit that is shown. */
   get table(): Table {
     const { unit, scale } = this.#viewer.lengthFormat;
     return [

@@ -43,7 +43,7 @@ export class PinnedList {
     table: () => this.table,
     fileName: () => `${stemOf(this.#viewer.info?.name ?? 'model')}-loops.csv`,
   });
-  /** By the loops' numbers: a row stays the same element for as long as its loop is pinned. */
+  /** Rows by their loops' numbers: a row stays the same element as long as its loop is pinned. */
   readonly #known = new Map<number, Row>();
   readonly #barcode: PointBarcode;
   readonly #distance: PointDistance;
@@ -86,7 +86,7 @@ export class PinnedList {
     refresh();
   }
 
-  /** As files and spreadsheets have it, in the unit that is shown. */
+  /** The table for files and spreadsheets, in the unit that is shown. */
   get table(): Table {
     const { lengthFormat, pinned } = this.#viewer;
     const { unit, scale } = lengthFormat;
@@ -102,7 +102,7 @@ export class PinnedList {
     ];
   }
 
-  /** Their lengths as they are shown. */
+  /** The lengths of the loops as they are shown. */
   get values(): string[] {
     const { pinned, lengthFormat } = this.#viewer;
     return pinned.map(({ loop }) => formatLength(loop.length, lengthFormat).replace('\u202f', ' '));

@@ -18,7 +18,7 @@ export class PointBarcode {
   readonly element: HTMLElement;
   readonly #point: PointList;
   readonly #bars = make('ol', { class: 'bars' });
-  /** Where the bars' axis begins and ends. */
+  /** The numbers at both ends of the bars' axis. */
   readonly #ends = make('p', { class: 'bar-ends' });
   readonly #words = make('p', { class: 'said', role: 'status' });
   /** The number of the pinned loop whose bars are shown; '' for none. */

@@ -15,7 +15,7 @@ export class PointDistance {
   #path: SurfacePath | undefined;
   /** Whether the section is pointed at or has the focus: only then is the way a line on the surface. */
   #isAttended = false;
-  /** Whether it is: what others draw there stays. */
+  /** Whether the way is a line on the surface now: lines of others stay. */
   #isDrawn = false;
   readonly #viewer: GirthViewer;
 

@@ -7,7 +7,7 @@ export const partColours = ['#cfd0d3', '#0072b2', '#e69f00', '#d55e00'] as const
 /** The number of faces and vertices that cutting has made. */
 const none = 0xffffffff;
 
-/** For each part those that it was cut from: pieces of one face are in both, or their vertices are. */
+/** The neighbours of each part, which it was cut from: they share pieces of a face, or vertices. */
 export function neighboursOf(parts: readonly Pick<CutPart, 'faces' | 'vertices'>[]): Set<number>[] {
   const neighbours = parts.map(() => new Set<number>());
   for (const key of ['faces', 'vertices'] as const) {

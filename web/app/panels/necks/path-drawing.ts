@@ -7,7 +7,7 @@ import { SurfaceHint } from '../../widgets/surface-hint.js';
 export interface DrawingEvents {
   /** The path has other points now; `polyline` is about how it runs. */
   drawn(points: readonly SurfacePoint[], polyline: Float32Array): void;
-  /** It is drawn; undefined where it has less than two points, or was given up. */
+  /** The drawing has ended; `points` is undefined where it has less than two, or was given up. */
   ended(points: SurfacePoint[] | undefined): void;
 }
 
@@ -21,7 +21,7 @@ interface Piece {
 const isSame = (one: SurfacePoint, other: SurfacePoint): boolean =>
   JSON.stringify(one) === JSON.stringify(other);
 
-/** In these, keys are for a text. */
+/** Elements in which keys are for a text. */
 const typing = 'input, select, textarea';
 
 export class PathDrawing {
@@ -113,7 +113,7 @@ export class PathDrawing {
         piece.polyline = polyline;
         if (this.#pieces.includes(piece)) this.#show();
       },
-      // Where no path leads there, the answer says so.
+      // The later answer says where no path leads to a point.
       () => undefined,
     );
   }
@@ -134,7 +134,7 @@ export class PathDrawing {
     this.#takeBack();
   }
 
-  /** From the last point straight through more of them. */
+  /** A line from the last point straight through more of them. */
   #straight(points: readonly SurfacePoint[]): Float32Array {
     const last = this.#points.at(-1);
     const { positions, indices } = this.#viewer.geometry;

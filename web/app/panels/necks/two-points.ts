@@ -34,7 +34,7 @@ const mostMarked = 12;
 export interface TwoPointsEvents {
   /** The loop of a bottleneck was chosen; `byHand`: the camera is to go there. */
   chosen(bottleneck: Bottleneck, byHand: boolean): void;
-  /** It is pointed at, or no longer. */
+  /** The loop of a bottleneck is pointed at, or no longer. */
   attended(bottleneck: Bottleneck | undefined): void;
   /** Two points are to be chosen, or there is another answer. */
   changed(): void;

@@ -202,7 +202,7 @@ export class PrintPanel {
     const isSame = this.#unit === this.#viewer.unit;
     this.#unit = this.#viewer.unit;
     for (const input of this.#inputs) {
-      // Only shown in another unit, a length remains what it is.
+      // A length that is only shown in another unit remains what it is.
       if (isSame) input.show(input.length, lengthFormat);
       else input.setUnit(lengthFormat);
     }
@@ -237,7 +237,7 @@ export class PrintPanel {
     const preset = printPresets.find((one) => one.name === name);
     this.#presetDraft.show(name);
     if (!preset) {
-      // In the room of the source, so that the button below stays where somebody is about to press.
+      // The hint takes the source's room, so that the button below stays where it is.
       this.#source.textContent = 'With or without a unit: 3, 3 mm, 0.1in.';
       return;
     }
@@ -420,7 +420,7 @@ export class PrintPanel {
     return this.#pictureOf({ vertices, width: 960, height: 640 });
   }
 
-  /** As an address; undefined where the browser gives no 3D graphics: the check holds without pictures. */
+  /** The picture as an address; undefined where the browser gives no 3D graphics. */
   async #pictureOf(wanted: PlacePicture): Promise<string | undefined> {
     try {
       return await dataAddress(await this.#viewer.snapshotOf(wanted));

@@ -2,10 +2,10 @@
 // A limit is the least diameter of a pin, or the least thickness of a wall that stands free.
 
 export interface PrintPreset {
-  /** In links. */
+  /** The name of the preset in links. */
   key: string;
   name: string;
-  /** As typed: with their unit. */
+  /** Limits as a user types them: with their unit. */
   tubeDiameter: string;
   wallThickness: string;
   source: { title: string; address: string };

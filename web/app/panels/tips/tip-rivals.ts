@@ -44,7 +44,7 @@ export class TipRivals {
   readonly #words = make('p', { class: 'hint', role: 'status' });
   readonly #list = new PlaceList('Points beside the tips');
   readonly #extrema: Resource<Extremum[]>;
-  /** Whether the surface is coloured by thickness for this. */
+  /** Whether the surface is coloured by thickness for this comparison. */
   #isColoured = false;
   readonly #viewer: GirthViewer;
   readonly #page: RivalsPage;
@@ -89,7 +89,7 @@ export class TipRivals {
     this.#draw();
   }
 
-  /** As many points as there are tips, to begin with. */
+  /** Begins with as many points as there are tips. */
   expect(tips: number): void {
     this.#countDraft.show(String(Math.min(most, Math.max(1, tips))));
   }

@@ -175,7 +175,7 @@ export class TipsPanel {
   }
 
   get #leastJump(): number {
-    // In this order, so that the end of the slider is the highest jump to the last bit.
+    // This order of operations makes the end of the slider the highest jump to the last bit.
     return this.#highest * (Number(this.#jumpDraft.text) / steps);
   }
 
