@@ -43,7 +43,7 @@ export function checkOpenings() {
   const complaints = folders
     .flatMap(filesBelow)
     .filter((file) =>
-      /\.(?:cjs|cmake|cpp|def|h|in|js|mjs|py|pyi|sh|ts)$|CMakeLists\.txt$/.test(file),
+      /\.(?:cjs|cmake|cpp|css|def|h|in|js|mjs|py|pyi|sh|ts)$|CMakeLists\.txt$/.test(file),
     )
     .flatMap((file) =>
       openingsIn(file, readFileSync(join(repository, file), 'utf8')).map(
