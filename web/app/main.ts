@@ -133,7 +133,7 @@ const beside = once(async () => {
 });
 byId('beside-menu').addEventListener('beforetoggle', () => void beside());
 followCamera(viewer, store);
-// After the panel that cuts along them.
+// Loops are followed after the panel that cuts along them.
 store.watch(['loops', 'names'], (state) => loops.follow(state));
 let wasBeside = false;
 store.watch(['beside', 'besideFile', 'apart', 'oneScale'], (state) => {
@@ -143,7 +143,7 @@ store.watch(['beside', 'besideFile', 'apart', 'oneScale'], (state) => {
 
 // ---- what is shown, and the address that holds it
 
-/** With the lengths of loops, for readers who do not have the file. */
+/** Adds the lengths of loops to a state, for readers who do not have the file. */
 const written = (state: PageState): PageState =>
   viewer.info && state.file !== undefined && state.loops
     ? { ...state, values: loops.values }

@@ -39,7 +39,7 @@ export async function workOffline(): Promise<void> {
   if (!container || !registration) return;
   const offer = makeOffer(() => {
     const { waiting } = registration;
-    // Its taking over reloads this page.
+    // The waiting version reloads this page when it takes over.
     if (waiting) waiting.postMessage('take over');
     else location.reload();
   });

@@ -57,7 +57,7 @@ async function fetchAll(): Promise<void> {
   await Promise.all(missing.map(async (path) => kept.put(keyOf(path), await fetchFile(path))));
 }
 
-/** Only this version is left. */
+/** Deletes all files of other versions. */
 async function forgetOthers(): Promise<void> {
   const kept = await caches.open(store);
   const ours = new Set([...files.keys()].map(keyOf));

@@ -5,7 +5,7 @@ import { announce } from './widgets/announcer.js';
 import { byId } from './widgets/dom.js';
 import { Draft } from './widgets/draft.js';
 
-/** Where the choice is kept, as `start.ts` knows it. */
+/** The name under which the choice is kept, as `start.ts` knows it. */
 const key = 'girth-theme';
 
 /** `changed`: what is drawn in the page's colours has others now. */

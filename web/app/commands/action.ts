@@ -2,11 +2,11 @@
 
 export interface Action {
   words: string;
-  /** Where on the page it is, from the outside in. */
+  /** The place of the action on the page, from the outside in. */
   place: string[];
-  /** As `aria-keyshortcuts` has them. */
+  /** The shortcuts, as `aria-keyshortcuts` has them. */
   keys: string[];
-  /** Whether it is a switch that is on, or a choice that is chosen. */
+  /** Whether the action is a switch that is on, or a choice that is chosen. */
   isOn: boolean;
   isPossible: boolean;
   run(): void;

@@ -25,7 +25,7 @@ export function actionsOf(viewer: GirthViewer): Action[] {
     (control) => !control.matches(elsewhere) && !control.closest(`${content}, [hidden]`),
   );
   const bar = viewer.shadowRoot?.querySelector('[role=toolbar]');
-  // Its menus are hidden while they are closed; what it does not have at all is hidden itself.
+  // A control counts in a closed menu, too; one that the bar does not offer is hidden itself.
   const ofBar = [...(bar?.querySelectorAll<HTMLElement>(controls) ?? [])].filter(
     (control) => !control.hidden && !control.closest('.tool[hidden]'),
   );

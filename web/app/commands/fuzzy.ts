@@ -10,7 +10,7 @@ const elsewhere = 1;
 const perGap = 0.3;
 const longestGap = 10;
 
-/** Without capitals and accents. */
+/** The text without capitals and accents. */
 function plain(text: string): string {
   return text.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase();
 }

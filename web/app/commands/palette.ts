@@ -119,7 +119,7 @@ export class Palette {
     const step = steps[event.key];
     if (step !== undefined) {
       const [next, last] = [this.#at + step, this.#shown.length - 1];
-      // Only by single steps from one end to the other.
+      // The mark goes from one end to the other by single steps only.
       const wraps = Math.abs(step) === 1 && (next < 0 || next > last);
       this.#mark(wraps ? (next < 0 ? last : 0) : next);
     } else if (event.key === 'Enter' && !event.isComposing) this.#run(this.#at);

@@ -1,4 +1,4 @@
-// From the description of an example to its file.
+// Generates the file of an example from its description.
 
 import type { Core } from './core.ts';
 import { writeGlb } from './glb.ts';

@@ -21,7 +21,7 @@ const words: Partial<Record<ShownName, string>> = {
   parts: 'what is thin like a tube, thin like a plate, or neither',
 };
 
-/** To find a way over a surface of more vertices would hold up the page. */
+/** Vertices, at most, of a surface that the loop slides over: more would hold up the page. */
 const mostVertices = 150_000;
 /** Milliseconds that the loop rests at each place. */
 const pace = 70;

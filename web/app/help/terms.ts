@@ -141,7 +141,8 @@ class Explanation {
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
-    // In the top layer wherever it stands, but for screen readers within the page's landmarks.
+    // The explanation is in the top layer anyway; for screen readers it belongs within a landmark
+    // of the page.
     document.querySelector('main')!.append(this.#element);
   }
 
@@ -156,7 +157,7 @@ class Explanation {
     });
     document.addEventListener('focusin', (event) => {
       const anchor = askedAt(event);
-      // Only of buttons: a control that is focused is about to be used.
+      // Only terms on buttons are explained on focus: a control that has it is about to be used.
       if (anchor instanceof HTMLButtonElement && anchor.matches(':focus-visible')) {
         this.#show(anchor);
       }

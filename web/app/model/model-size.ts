@@ -47,7 +47,7 @@ export function namedScale(scale: number): number {
   return scale < 10 ? wholePercent(scale) / 100 : upwards(scale);
 }
 
-/** With commas between thousands. */
+/** The number with commas between thousands. */
 function grouped(scale: number): string {
   return scale < 1000 ? String(scale) : formatCount(Math.round(scale));
 }

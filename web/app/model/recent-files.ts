@@ -30,7 +30,7 @@ function bytesWords(bytes: number): string {
     : `${(bytes / 1e6).toFixed(1)} MB`;
 }
 
-/** By days of the calendar. */
+/** The day in words, by the calendar. */
 function whenWords(when: number): string {
   const midnight = (time: number): number => new Date(time).setHours(0, 0, 0, 0);
   const days = Math.round((midnight(Date.now()) - midnight(when)) / day);
@@ -117,7 +117,7 @@ export class RecentFiles {
     return id;
   }
 
-  /** As somebody asks for: what was said before is of something else. */
+  /** Changes what somebody asks for: the earlier message is about something else. */
   async #changeAnew(act: () => Promise<unknown>): Promise<void> {
     this.#said.textContent = '';
     await this.#change(act);
@@ -143,7 +143,7 @@ export class RecentFiles {
     this.#clear.hidden = files.length === 0;
     this.#opener.hidden = files.length === 0 && this.#said.textContent === '';
     if (id !== undefined) {
-      // It stays where it was, if that file is still there.
+      // The focus stays on its button, if that file is still there.
       const same = this.#buttonsOf(this.#list.querySelector(`li[data-id="${id}"]`))[at];
       (same ?? this.#list.querySelector('button') ?? this.#sheet).focus();
     }

@@ -8,7 +8,7 @@ const wide = 400;
 /** Fainter than this is shadow. */
 const faint = 60;
 
-/** As a PNG without background, the surface as large as fits; undefined where nothing can be drawn. */
+/** The surface as large as fits, a PNG without background; undefined where nothing can be drawn. */
 export async function recentPicture(viewer: GirthViewer): Promise<Blob | undefined> {
   const options = { width: wide, legend: false, scaleBar: false, transparent: true };
   const whole = await viewer.snapshot(options).then(createImageBitmap);

@@ -7,7 +7,7 @@ import type { FileWithPath } from '../../src/kernel/index.js';
 export interface RecentFile {
   id: number;
   name: string;
-  /** When it was opened last: milliseconds as of `Date.now`. */
+  /** The time of the last opening: milliseconds as of `Date.now`. */
   when: number;
   /** The size of all files together. */
   bytes: number;

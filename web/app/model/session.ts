@@ -8,16 +8,16 @@ import type { PageState } from '../state/address-state.js';
 /** A model that can be read again, to be prepared otherwise. */
 export interface Opened {
   source: MeshSource;
-  /** How a link names it: an example or an address, or the name of a file that it cannot have. */
+  /** The name of the model in links: an example, an address, or a file that links cannot have. */
   link: Pick<PageState, 'model' | 'file'>;
   /** Which of several models that came together. */
   model?: string | undefined;
   prepare: PrepareOptions;
   /** The remeshing after reading: the wished faces, and words for it. */
   remeshed?: { faces: number; words: string } | undefined;
-  /** After that, handles shorter than this were taken away, in model units. */
+  /** Handles shorter than this, in model units, were taken away after remeshing. */
   handles?: number | undefined;
-  /** And before they were taken away last, those shorter than this had been. */
+  /** The value of `handles` before handles were taken away last. */
   handlesBefore?: number | undefined;
   /** The wish that it is opened for (`Store.ask`). */
   wish?: number | undefined;
@@ -25,7 +25,7 @@ export interface Opened {
   adopt?: ((viewer: GirthViewer) => Promise<void>) | undefined;
 }
 
-/** As it is read. */
+/** The steps and wishes after reading: none yet. */
 const asRead = {
   ...{ remeshed: undefined, handles: undefined, handlesBefore: undefined },
   ...{ wish: undefined, adopt: undefined },
@@ -119,7 +119,7 @@ export class Session {
     return removal;
   }
 
-  /** Whether a link names what this surface was before handles were taken away last. */
+  /** Whether a link names the surface as it was before handles were taken away last. */
   isBefore({ handles, ...rest }: PageState): boolean {
     const { opened } = this;
     if (opened?.handles === undefined || !this.#viewer.removal) return false;
@@ -205,7 +205,7 @@ export class Session {
     return state;
   }
 
-  /** Whether what is shown, and stays, is what a link names, prepared in the same way. */
+  /** Whether a link names the surface that is shown, and stays, prepared in the same way. */
   isOf(state: PageState): boolean {
     return !this.#reading && isOfSurface(this.read(), state);
   }

@@ -47,7 +47,7 @@ export class Resource<Found> {
     return this.#status.is === 'done' ? this.#status.found : undefined;
   }
 
-  /** Whether it is there or under way for a key. */
+  /** Whether the result for a key is there or under way. */
   isFor(key: Key): boolean {
     const isSame = this.#key?.every((part, i) => part === key[i]) ?? false;
     return isSame && (this.#status.is === 'done' || this.#status.is === 'pending');
@@ -61,7 +61,7 @@ export class Resource<Found> {
     void this.#run();
   }
 
-  /** It is not wanted any more. */
+  /** Forgets the result, and ends the work for it. */
   drop(): void {
     this.#running?.abort();
     this.#running = undefined;

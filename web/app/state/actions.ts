@@ -18,7 +18,7 @@ export interface SurfaceFacts {
 
 type Key = keyof PageState;
 
-/** Where the surface comes from, and what was done to it. */
+/** Keys of the state that say where the surface comes from, and what was done to it. */
 export const modelKeys = [
   ...(['model', 'file', 'closed', 'weld', 'components'] as const),
   ...(['faces', 'handles', 'scale'] as const),

@@ -31,7 +31,7 @@ export interface PageState {
   weld?: number;
   components?: number[];
   faces?: number;
-  /** After that, handles and tunnels shorter than this were taken away, in model units. */
+  /** Handles and tunnels shorter than this, in model units, were taken away after remeshing. */
   handles?: number;
   /** The unit of lengths, where the file does not say it. */
   unit?: string;
@@ -45,27 +45,30 @@ export interface PageState {
   energy?: number;
   component?: number;
   colormap?: string;
-  /** As the element's attribute: two numbers or two percentages. */
+  /** The value of the element's attribute: two numbers or two percentages. */
   range?: string;
   isolines?: number;
-  /** As the element's attribute: how the girth is computed, where that is not what is usual for the model. */
+  /**
+   * The value of the element's attribute: the method of the girth, where it is not the usual one
+   * for the model.
+   */
   method?: GirthMethod;
-  /** As the element's attribute: how long saddles must last to count. */
+  /** The value of the element's attribute: how long saddles must last to count. */
   persistence?: string;
   edges?: boolean;
   /** Whether the colour map is logarithmic. */
   log?: boolean;
-  /** As the element's attributes: how the surface is drawn, and which way is up where that was chosen. */
+  /** Values of the element's attributes: how the surface is drawn, and the way up, if chosen. */
   shading?: string;
   up?: string;
-  /** As the element's attribute. */
+  /** The value of the element's attribute. */
   section?: string;
   camera?: CameraView;
-  /** Where loops are pinned. */
+  /** The points whose loops are pinned. */
   loops?: SurfacePoint[];
   /** The names of the loops, in their order; '' for no name. */
   names?: string[];
-  /** Their lengths as they were shown: for a reader who does not have the file. */
+  /** The lengths of the loops as they were shown: for a reader who does not have the file. */
   values?: string[];
   /** The thresholds of parts, in model units, and their smoothing. */
   girth?: number;
@@ -92,7 +95,7 @@ export interface PageState {
   /** The model beside the shown one: an example's name or an address; or the name of an opened file. */
   beside?: string;
   besideFile?: string;
-  /** That each of the two has a view of its own, and that their colours span one range. */
+  /** Whether each of the two has a view of its own, and whether their colours span one range. */
   apart?: boolean;
   oneScale?: boolean;
   panel?: PanelName;
@@ -229,7 +232,7 @@ function readValue(text: string): string | undefined {
   return /^[\d.]{1,20}( [a-zµ]{1,3})?$/.test(text) ? text : undefined;
 }
 
-/** Without the digits that only a change of the unit has brought. */
+/** A length without the digits that only a change of the unit has brought. */
 const writeLimit = (length: number): string => String(Number(length.toPrecision(12)));
 const readUp = (text: string): string | undefined => (/^-?[xyz]$/.test(text) ? text : undefined);
 const readFlag = (text: string): boolean | undefined => (text === '1' ? true : undefined);
@@ -329,14 +332,14 @@ export function resized(state: PageState, ratio: number): PageState {
   }
   const at = girthOfCut(state.cut);
   if (at !== undefined) grown.cut = cutAt(at * ratio);
-  // In the model's size: shares hold for any.
+  // Persistence depends on the model's size; shares hold for any.
   if (state.persistence !== undefined && !state.persistence.endsWith('%')) delete grown.persistence;
   // The numbers of a range may be lengths, in any unit; shares of the surface hold for any size.
   if (state.range !== undefined && !state.range.includes('%')) delete grown.range;
   return grown;
 }
 
-/** Without the '#' in front. */
+/** The state as text, without the '#' in front. */
 export function writeState(state: PageState): string {
   const words: string[] = [];
   for (const [key, [, write]] of Object.entries(parts)) {
@@ -350,7 +353,7 @@ export function writeState(state: PageState): string {
   return words.join('&');
 }
 
-/** With or without the '#' in front. */
+/** The state that a text holds, with or without the '#' in front. */
 export function readState(fragment: string): PageState {
   const state: PageState = {};
   for (const word of fragment.replace(/^#/, '').split('&')) {

@@ -8,9 +8,9 @@ import type { PageState } from './address-state.js';
 export interface Wish {
   readonly number: number;
   readonly state: PageState;
-  /** It is a step of its own: the address does not have it yet. */
+  /** Whether the wish is a step of its own: the address does not have it yet. */
   readonly byHand: boolean;
-  /** Its file is missing: nothing is under way for it. */
+  /** Whether the file is missing: nothing is under way for the wish. */
   readonly isMissing: boolean;
 }
 

@@ -8,7 +8,7 @@ import { TableActions, type TableSource } from './table-actions.js';
 
 /** The girth at one place of the way. */
 export interface AlongStation {
-  /** From the beginning of the way, in model units. */
+  /** The distance from the beginning of the way, in model units. */
   distance: number;
   girth: number;
   kind: LoopKind;
@@ -109,7 +109,7 @@ export class AlongPlot {
     this.#write(at < 0 ? undefined : at);
   }
 
-  /** As a file's content; undefined where nothing is shown. */
+  /** The plot as a file's content; undefined where nothing is shown. */
   svg(width?: number): string | undefined {
     return this.element.hidden ? undefined : this.#plot.svg(width);
   }

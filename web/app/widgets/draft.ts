@@ -116,7 +116,7 @@ export class Draft {
     // A text that is set again would move the cursor.
     if (this.isEdited || this.text === this.#shown) return;
     this.#control.value = this.#shown;
-    // As the control has it: sliders round, lists know only their choices.
+    // The control may change a text: sliders round, lists know only their choices.
     this.#shown = this.#control.value;
   }
 }

@@ -83,12 +83,12 @@ export class LengthInput {
     });
   }
 
-  /** In model units; undefined where nothing is typed. */
+  /** The length in model units; undefined where nothing is typed. */
   get length(): number | undefined {
     return this.#length;
   }
 
-  /** Why what stands in the field is no length; '' where it is one. */
+  /** The reason why the text in the field is no length; '' where it is one. */
   get fault(): string {
     return this.#fault;
   }

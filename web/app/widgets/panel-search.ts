@@ -5,18 +5,18 @@ import { type Key, Resource, type Status, type Watch } from '../results/resource
 import { failureWords } from './failure-words.js';
 
 export interface Searched<Found> {
-  /** On the button that starts it again. */
+  /** The words on the button that starts the search again. */
   again: string;
-  /** As long as the girth is not there. */
+  /** The words as long as the girth is not there. */
   pending: string;
   /** The parameters of the search, beside the surface. */
   parameters(): Key;
-  /** When it was stopped. */
+  /** The words after it was stopped. */
   stopped: string;
-  /** Before the reason why it failed. */
+  /** The words before the reason why the search failed. */
   failed: string;
   search(watch: Watch): Promise<Found>;
-  /** It was found. What is returned is said. */
+  /** Takes the result; the words that are returned are shown. */
   found(found: Found): string;
 }
 
@@ -47,7 +47,7 @@ export class PanelSearch<Found> {
     return this.#resource.found;
   }
 
-  /** Whether that is there, or under way. */
+  /** Whether the result for the present key is there, or under way. */
   get isCurrent(): boolean {
     return this.#resource.isFor(this.#key);
   }

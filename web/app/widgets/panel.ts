@@ -5,7 +5,7 @@ import { byId } from './dom.js';
 
 export class Panel {
   readonly element: HTMLDetailsElement;
-  /** Where the panel's own things go. */
+  /** The element that the panel's own things go into. */
   readonly body = make('div', { class: 'body' });
   readonly #count = make('span', { class: 'count' });
 

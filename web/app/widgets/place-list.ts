@@ -4,11 +4,11 @@ import { announce } from './announcer.js';
 import { formatCount, make } from '../../src/element/index.js';
 
 export interface PlaceRow {
-  /** Before the number; by default the row's number in the list. */
+  /** The words in front; by default the row's number in the list. */
   lead?: string;
   /** The colour of a small square in front, where rows are of several kinds. */
   colour?: string;
-  /** Where rows stand for lines: the lengths of strokes and gaps, by turns; empty: one stroke. */
+  /** The line that a row stands for: lengths of strokes and gaps, by turns; empty: one stroke. */
   dash?: readonly number[];
   /** The main measure, with its unit. */
   main: string;
@@ -16,7 +16,7 @@ export interface PlaceRow {
   /** Shown at the row's end. */
   picture?: HTMLElement | undefined;
   choose(): void;
-  /** It is pointed at or has the focus, or no longer. */
+  /** The row is pointed at or has the focus, or no longer. */
   attend?(isAttended: boolean): void;
 }
 

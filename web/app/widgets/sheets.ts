@@ -4,7 +4,7 @@ export function closeLeftSheets(): void {
   document.addEventListener('focusin', ({ target }) => {
     const sheet = document.querySelector<HTMLElement>('.sheet:popover-open');
     if (!sheet || !(target instanceof Element) || sheet.contains(target)) return;
-    // From its opener the focus goes into it.
+    // The focus goes from a sheet's opener into the sheet.
     if (target.getAttribute('popovertarget') !== sheet.id) sheet.hidePopover();
   });
 }

@@ -31,7 +31,7 @@ export function tsvOf(table: Table): string {
     .join('');
 }
 
-/** As RFC 4180 has it, with line ends of one letter as in all files of this project. */
+/** The table as RFC 4180 has it, with line ends of one letter as in all files of this project. */
 export function csvOf(table: Table): string {
   const quoted = (text: string): string =>
     /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;

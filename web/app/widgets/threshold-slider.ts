@@ -21,7 +21,7 @@ export class ThresholdSlider {
     const length = (): number => {
       const [low, high] = this.#reach!;
       const place = Number(this.#draft.text) / steps;
-      // At its ends it divides nothing: all values are above, or below.
+      // The threshold at an end divides nothing: all values are above, or below.
       if (place === 0) return 0;
       if (place === 1) return 1.001 * high;
       return low > 0 ? low * (high / low) ** place : low + (high - low) * place;

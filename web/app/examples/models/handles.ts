@@ -4,10 +4,10 @@ import type { Model } from './model.ts';
 
 /** Shape of one handle; angles in radians round the vertical axis. */
 interface Handle {
-  /** Where it leaves the body above and where it comes back below. */
+  /** Angles at which the handle leaves the body above and comes back below. */
   upper: number;
   lower: number;
-  /** Its farthest distance from the axis. */
+  /** The farthest distance of the handle from the axis. */
   reach: number;
   top: number;
   bottom: number;

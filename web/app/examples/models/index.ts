@@ -8,7 +8,7 @@ import { octopus } from './octopus.ts';
 import { spine } from './spine.ts';
 import { vessel } from './vessel.ts';
 
-/** In the order in which the page offers them. */
+/** All examples in the order in which the page offers them. */
 export const models: readonly Model[] = [
   chair,
   octopus,
