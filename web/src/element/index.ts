@@ -5,7 +5,7 @@
 
 import { GirthViewer } from './viewer-element.js';
 
-// On a server, which renders pages but has no elements, nothing happens.
+// Nothing is defined on a server, which renders pages but has no elements.
 const registry = globalThis.customElements as CustomElementRegistry | undefined;
 if (registry && !registry.get('girth-viewer')) registry.define('girth-viewer', GirthViewer);
 

@@ -41,15 +41,15 @@ export interface PlacePicture {
   vertices: ArrayLike<number>;
   /** Drawn as a band. */
   loop?: Loop;
-  /** In pixels. Default: 480. */
+  /** The width in pixels. Default: 480. */
   width?: number;
-  /** In pixels. Default: 360. */
+  /** The height in pixels. Default: 360. */
   height?: number;
 }
 
-/** Where parts begin: the two thresholds in model units. */
+/** Wished thresholds of parts, in model units. */
 export interface PartsWish extends PartThresholds {
-  /** As of `PartOptions`. Default: 0. */
+  /** The smoothing, as of `PartOptions`. Default: 0. */
   smoothing?: number;
 }
 
@@ -183,7 +183,7 @@ export class Presented {
     if (smoothing > 0) this.#smoother.request(wish);
   }
 
-  /** As if no thresholds had been chosen. */
+  /** Forgets the thresholds, as if none had been chosen. */
   forgetThresholds(): void {
     this.#wished = undefined;
     this.#smoother.clear();
@@ -305,7 +305,7 @@ export class Presented {
   }
 }
 
-/** At most so many of the numbers, evenly chosen: enough to show where a region is. */
+/** So many of the numbers at most, evenly chosen: enough to show where a region is. */
 function sampleOf(vertices: ArrayLike<number>): number[] {
   const step = Math.max(1, Math.ceil(vertices.length / enoughPoints));
   return Array.from({ length: Math.ceil(vertices.length / step) }, (_, i) => vertices[i * step]!);

@@ -61,10 +61,10 @@ import type { PinWish } from './attributes/wish-words.js';
 import { Wishes } from './attributes/wishes.js';
 import { Work, type Watched } from './work.js';
 
-/** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
+/** The greatest width, as in the style, at which the legend lies at the bottom; CSS pixels. */
 const narrow = 520;
 const legendHeight = 92;
-/** In a drawing, what is in front of a line by less than this share of the surface's radius does not hide it. */
+/** The share of the surface's radius that something must be in front of a drawn line to hide it. */
 const drawnSlack = 0.004;
 /** The height of the status at the bottom, with its margin; CSS pixels. */
 const statusHeight = 56;
@@ -77,7 +77,7 @@ export interface Original {
   removal?: HandleRemoval;
 }
 
-/** The view and pins of a model shown as its file has it, for the mesh that the kernel has read. */
+/** The view, pins and tips of a model shown as its file has it, for the kernel's mesh of it. */
 interface Continued {
   mesh: Mesh;
   /** Undefined: as at first. */
@@ -92,7 +92,7 @@ interface Continued {
 export interface ViewerHost {
   /** Has the attributes, and sends the events. */
   readonly element: HTMLElement;
-  /** Where the surface is drawn. */
+  /** The frame that the surface is drawn in. */
   readonly frame: HTMLElement;
   readonly message: MessageBox;
   /** The unit of lengths: the model's, or the attribute's; '' for none. */
@@ -157,15 +157,17 @@ export class ViewerCore {
   readonly #contents = new WeakMap<Mesh, FileContent>();
   /** The girths of meshes that were shown before. */
   readonly #girths = new WeakMap<Mesh, Field>();
-  /** Where the kernel can read a model that is shown as its file has it. */
+  /**
+   * The addresses from which the kernel can read models that are shown as their files have them.
+   */
   readonly #addresses = new WeakMap<Mesh, URL>();
   #reading: Promise<Presented> | undefined;
-  /** The view and pins of the shown model go on with the kernel's mesh of it. */
+  /** The view, pins and tips of the shown model, which go on with the kernel's mesh of it. */
   #continued: Continued | undefined;
   /** Whether the model of `src` is on its way: what attributes ask for is about it. */
   #isOpening = false;
   #openTurn = 0;
-  /** Whether `src` names what is shown. */
+  /** Whether `src` names the model that is shown. */
   #isOfSrc = true;
   #tipsTurn = 0;
   readonly #asked: Wishes;
@@ -603,7 +605,7 @@ export class ViewerCore {
     );
   }
 
-  /** From now on the browser prints a figure of what is shown. */
+  /** Lets the browser print a figure of the surface from now on. */
   async #offerPrint(): Promise<void> {
     const [{ Printed }, { figure, printDensity }] = await Promise.all([
       import('./surface/printed.js'),
@@ -753,7 +755,7 @@ export class ViewerCore {
         loops.rename((await loops.pin(point)).id, name);
       }
       if (!continued?.isPinned) await this.#asked.pin(presented, false);
-      // Without it, what is on the screen is printed.
+      // A page without the figure prints what is on the screen.
       await this.#offerPrint().catch(() => undefined);
     } catch (error) {
       if (!signal.aborted) this.#fail('', error);
@@ -780,7 +782,7 @@ export class ViewerCore {
     const { presented } = this;
     if (!presented) return;
     if (presented.model.file.isAll && !presented.shading.isReady) {
-      // There the field is asked for again.
+      // The kernel's mesh, once it is shown, asks for the field again.
       await this.whole().catch(() => undefined);
       return;
     }
@@ -879,7 +881,7 @@ export class ViewerCore {
     },
   };
 
-  /** Whether a field is one of the model that is shown. */
+  /** Whether the state of a field belongs to the model that is shown. */
   #isPresent(state: FieldState): boolean {
     return this.presented?.model.fields.get(state.name) === state;
   }
@@ -912,7 +914,7 @@ export class ViewerCore {
       range: parseRange(attributeOf(this.#element, 'range')),
       log: isOn(this.#element, 'log'),
       isolines: Number(attributeOf(this.#element, 'isolines') ?? 0),
-      // That of a model goes before the attribute's.
+      // The unit of a model goes before the attribute's.
       unit: model?.mesh.info.unit || this.#host.unitOf(),
       shownUnit: this.#host.shownUnitOf() || (model?.file.ownUnit ?? ''),
     };

@@ -26,7 +26,7 @@ const nearness = 400;
 /** The symbol of a unit of length; '' for none. */
 const unitOf = (text: string | null): string => findLengthUnit(text ?? '')?.symbol ?? '';
 
-/** On a server, which renders pages but has no elements, a class that nobody makes one of. */
+/** The base class; a server, which has no elements, gets a class that nobody makes one of. */
 const ElementOrNone = globalThis.HTMLElement ?? class {};
 
 /** See `GirthViewer`, which adds what can be asked of the element. */
@@ -58,7 +58,7 @@ export abstract class ViewerShell extends ElementOrNone {
 
   /** Called by the browser when the element comes onto a page. */
   connectedCallback(): void {
-    // It was only moved.
+    // An element that was only moved is watched already.
     if (this.#watching) return;
     if (this.core) this.core.attach();
     this.#watching = new IntersectionObserver(

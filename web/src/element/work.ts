@@ -9,7 +9,7 @@ export interface Watched {
   onProgress: (share: number) => void;
 }
 
-/** Where work is shown. */
+/** The display of work. */
 export interface WorkDisplay {
   /** Shows the words for the work, and its finished share. */
   showWork(words: string, share: number): void;

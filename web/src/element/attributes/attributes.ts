@@ -17,10 +17,10 @@ import { parseSection } from './section-words.js';
 import { parseParts, parsePath, parsePins, parseTips, parseTwoPoints } from './wish-words.js';
 
 interface Rule {
-  /** For people: it can be … */
+  /** The allowed values in words that follow 'it can be'. */
   allowed: string;
   accepts(text: string): boolean;
-  /** Without a value, too, it asks for something. */
+  /** Set where the attribute asks for something without a value, too. */
   isBare?: true;
 }
 
@@ -38,7 +38,7 @@ function wholeNumber(least: number, most: number): Rule {
   };
 }
 
-/** Without a value, or with one that frameworks write. */
+/** A switch: without a value, or with one that frameworks write. */
 const flag: Rule = {
   allowed: 'without a value; leave it out to switch it off',
   accepts: (text) => text === 'true',

@@ -6,7 +6,7 @@ import { readNumber } from './place-words.js';
 export interface SectionWish {
   /** Towards what is cut away: x, y and z of the file, not all 0. */
   direction: readonly [number, number, number];
-  /** From 0 to 1. */
+  /** The share of the surface's extent, from 0 to 1. */
   share: number;
 }
 

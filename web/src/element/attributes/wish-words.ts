@@ -11,9 +11,9 @@ export const mostPathPoints = 200;
 
 /** Which tips are drawn. */
 export interface TipsWish {
-  /** They rise at least so much: a length, with or without a unit. */
+  /** The jump that tips rise by, at least: a length, with or without a unit. */
   leastJump: string;
-  /** Its number, from 1. */
+  /** The number of the selected tip, from 1. */
   selected: number | undefined;
 }
 
@@ -33,7 +33,7 @@ export function writeTips({ leastJump, selected }: TipsWish): string {
   return selected === undefined ? words : `${words} #${selected}`;
 }
 
-/** Where tubes and plates begin: two lengths, with or without units, and the smoothing. */
+/** Thresholds of tubes and plates: two lengths, with or without units, and the smoothing. */
 export interface PartsWords {
   girth: string;
   thickness: string;

@@ -208,7 +208,7 @@ export class Wishes {
     if (anew) this.#host.recolour();
   }
 
-  /** In model units. */
+  /** The length of a word, in model units. */
   #lengthOf(word: string): number {
     if (word === 'inf') return Infinity;
     const read = readLength(word, this.#host.unit());

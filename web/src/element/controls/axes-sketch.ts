@@ -35,7 +35,7 @@ export class AxesSketch {
     this.element.append(...this.#axes.map(({ group }) => group));
   }
 
-  /** As seen now; those that point away lie behind the others. */
+  /** Draws the axes as seen now; axes that point away lie behind the others. */
   update(stage: Stage): void {
     const seen = stage.axes.map((axis, i) => ({ axis, ...this.#axes[i]! }));
     for (const { axis, group, line, text } of seen) {

@@ -1,4 +1,4 @@
-// Where one looks and how the surface is drawn, as the element's attributes, its bar and its keys have it.
+// Controls of the view and of how the surface is drawn, by attributes, the bar and keys.
 
 import { type CameraView, type Stage, formatLength, lookNames } from '../../view/index.js';
 import { attributeOf, controlsOf, isOn } from '../attributes/attributes.js';
@@ -25,7 +25,7 @@ export class CanvasControls {
   /** The tool that cuts the surface, once it is asked for or there is a bar to ask on. */
   #section: SectionTool | undefined;
   #isFetching = false;
-  /** From where the last model was seen. */
+  /** The view of the last model. */
   #view: CameraView | undefined;
 
   constructor(host: ControlsHost) {
@@ -88,7 +88,7 @@ export class CanvasControls {
     this.#update();
   }
 
-  /** After a frame. */
+  /** Places the bar after a frame. */
   place(): void {
     const stage = this.#host.stage();
     if (stage) this.#bar.place(stage);

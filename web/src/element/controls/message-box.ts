@@ -56,7 +56,7 @@ export class MessageBox {
     this.#remedy.textContent = `${shown} is shown instead.`;
   }
 
-  /** Why there is no picture; once there is one, that is no longer said. */
+  /** Tells why there is no picture, until there is one. */
   showGraphics(graphics: Graphics): void {
     if (graphics !== 'drawing') this.show('', noGraphics[graphics], false);
     else if (this.element.dataset['code'] === noGraphics.lost.code) this.clear();

@@ -1,4 +1,4 @@
-// Why there is no picture, and what helps.
+// Reasons why there is no picture, and remedies.
 
 import { GirthError } from '../../kernel/types/errors.js';
 import type { GirthErrorFields } from '../../kernel/types/types.js';

@@ -77,7 +77,7 @@ export class Readout {
     this.moveTo(places.find(isFree) ?? places[0]!);
   }
 
-  /** Where it is, while it is shown. */
+  /** The place of the readout, while it is shown. */
   get spot(): { left: number; top: number } | undefined {
     return this.#spot;
   }
@@ -102,7 +102,7 @@ export interface TagLabel {
   words: string;
   x: number;
   y: number;
-  /** Where the line to the loop ends. */
+  /** The end of the line to the loop. */
   end: { x: number; y: number };
 }
 
@@ -110,7 +110,7 @@ export class PinTag {
   readonly element = make('div', { class: 'tag' });
   readonly #name = make('b');
   readonly #length = make('span');
-  /** From the tag to its loop. */
+  /** The line from the tag to its loop. */
   readonly leader = document.createElementNS('http://www.w3.org/2000/svg', 'line');
   #size: { width: number; height: number } | undefined;
   #spot: { left: number; top: number } | undefined;
@@ -143,12 +143,12 @@ export class PinTag {
     this.setFormat(format);
   }
 
-  /** In CSS pixels. */
+  /** The size of the tag, in CSS pixels. */
   get size(): { width: number; height: number } {
     return (this.#size ??= { width: this.element.offsetWidth, height: this.element.offsetHeight });
   }
 
-  /** Its top left corner on the canvas; undefined before it was placed. */
+  /** The top left corner of the tag on the canvas; undefined before it was placed. */
   get spot(): { left: number; top: number } | undefined {
     return this.#spot;
   }

@@ -18,7 +18,7 @@ export interface SectionHost {
   origin(): readonly number[];
   /** The section that the attribute asks for. */
   wished(): SectionWish | undefined;
-  /** Where it is to be seen. */
+  /** The root in which the tool is to be seen. */
   root: ShadowRoot;
   /** Makers of elements, buttons and icons. */
   kit: { make: typeof make; button: typeof button; icon: typeof icon };
@@ -51,7 +51,7 @@ const shape = 'M4 6.5 10 3l6 3.5v7L10 17l-6-3.5zM2 10h16';
 type Direction = SectionWish['direction'];
 
 const axes = ['x', 'y', 'z'] as const;
-/** Where a plane begins, as a share of the surface. */
+/** The plane's place at first, as a share of the surface. */
 const middle = 0.5;
 /** Percent of a step of the slider. */
 const step = 0.5;
@@ -143,7 +143,7 @@ export class SectionTool {
     if (Number(this.#place.value) !== Number(percent)) this.#place.value = percent;
   }
 
-  /** Where the plane is: 'x = 0.12 m' in the file's coordinates, otherwise the share that is left. */
+  /** The place of the plane: 'x = 0.12 m' in the file's coordinates, or the share that is left. */
   #wordsOf({ direction, share }: SectionWish, offset: number): string {
     const axis = axisOf(direction);
     const percent = `${Number((100 * share).toFixed(1))}% left`;
@@ -168,7 +168,9 @@ function axisOf(direction: Direction): 0 | 1 | 2 | undefined {
   return parts.length === 1 ? parts[0] : undefined;
 }
 
-/** As `parseSection` reads it; directions to four digits, shares to a tenth of a percent. */
+/**
+ * A section as `parseSection` reads it; directions to four digits, shares to a tenth of a percent.
+ */
 export function writeSection({ direction, share }: SectionWish): string {
   const [axis, ...others] = direction.flatMap((part, i) => (part === 0 ? [] : [i]));
   const isAxis = others.length === 0 && Math.abs(direction[axis!]!) === 1;

@@ -5,15 +5,15 @@ import type { Stage } from '../../view/index.js';
 import { isMotionReduced } from '../surface/surroundings.js';
 
 export interface TurningHost {
-  /** Where there is one. */
+  /** The stage, if there is one. */
   stage(): Stage | undefined;
-  /** Whether it is to turn by itself. */
+  /** Whether the surface is to turn by itself. */
   isWished(): boolean;
   /** Whether something is computed: the work goes first. */
   isBusy(): boolean;
-  /** For the first time somebody has done something: it no longer turns by itself. */
+  /** Somebody has done something for the first time: the surface no longer turns by itself. */
   ended(): void;
-  /** It turns, or no longer. */
+  /** The surface turns, or no longer. */
   changed(isTurning: boolean): void;
 }
 
@@ -21,7 +21,7 @@ export class Turning {
   readonly #host: TurningHost;
   /** Whether somebody has done something since. */
   #isEnded = false;
-  /** Whether somebody asked for it. */
+  /** Whether somebody asked for the turning. */
   #isAskedFor = false;
 
   constructor(host: TurningHost) {
@@ -39,7 +39,7 @@ export class Turning {
     }
   }
 
-  /** Whether it turns, or will when the work is done. */
+  /** Whether the surface turns, or will when the work is done. */
   get isOn(): boolean {
     const byItself = this.#host.isWished() && !this.#isEnded && !isMotionReduced();
     return byItself || this.#isAskedFor;

@@ -12,7 +12,7 @@ const keyWords =
 
 export class Voice {
   readonly #live = make('div', { class: 'quiet-live', 'aria-live': 'polite' });
-  /** To be in the same tree as the canvas, which it describes. */
+  /** Elements in the same tree as the canvas, which they describe. */
   readonly elements = [this.#live, make('p', { id: 'keys', hidden: '' }, keyWords)];
 
   /** Calls a canvas by what is on it: the model and its field. */

@@ -5,7 +5,7 @@ import type { FigureParts } from './snapshot.js';
 
 /** Options of a drawing beside the outline. */
 export interface DrawingOptions {
-  /** On paper, in millimetres. Default: 85, one column of a paper. */
+  /** The width on paper, in millimetres. Default: 85, one column of a paper. */
   width?: number;
   /** Names and lengths of the pinned loops. Default: true. */
   labels?: boolean;
@@ -47,7 +47,7 @@ const escaped = (text: string): string =>
   text.replace(/[&<>"]/g, (letter) => `&#${letter.charCodeAt(0)};`);
 const short = (length: number): string => String(Number(length.toFixed(2)));
 
-/** As the `d` of a path. */
+/** The strokes as the `d` of a path. */
 const pathOf = (strokes: readonly Stroke[]): string =>
   strokes
     .map((stroke) => {

@@ -11,11 +11,14 @@ export interface FigureOptions {
   scaleBar?: boolean;
   /** Nothing behind the surface, rather than the element's paper. Default: true without a legend. */
   transparent?: boolean;
-  /** In pixels. Default: as on the screen. */
+  /** The width in pixels. Default: as on the screen. */
   width?: number;
-  /** On paper, in place of `width`: so many pixels that it is as wide at `dotsPerInch`, then 300 by default. */
+  /** The width on paper, in place of `width`, at `dotsPerInch`, which is then 300 by default. */
   millimetres?: number;
-  /** How large it is printed, in pixels for each inch: words are at least seven points high. Default: not stated. */
+  /**
+   * The density of the print, in pixels for each inch: words are at least seven points high.
+   * Default: not stated.
+   */
   dotsPerInch?: number;
 }
 
@@ -23,7 +26,7 @@ const millimetresPerInch = 25.4;
 /** Pixels for each inch, as printers have them. */
 export const printDensity = 300;
 
-/** Its width in pixels, undefined as on the screen, and its density. */
+/** The width of a picture in pixels, undefined as on the screen, and its density. */
 export function sizeOf({ width, millimetres, dotsPerInch }: FigureOptions): {
   width: number | undefined;
   dotsPerInch: number | undefined;
@@ -35,7 +38,7 @@ export function sizeOf({ width, millimetres, dotsPerInch }: FigureOptions): {
 
 export interface FigureParts {
   legend: LegendContent | undefined;
-  /** Where tags are on the element, in CSS pixels. */
+  /** The tags with their places on the element, in CSS pixels. */
   labels: readonly TagLabel[];
   /** CSS pixels for each unit of length. */
   scale: number;
@@ -74,7 +77,7 @@ export function figure(
   const zoom = Math.max(ratio, ((smallestLetters / pointsPerInch) * dotsPerInch) / letters);
   context.scale(zoom, zoom);
   const [width, height] = [picture.width / zoom, picture.height / zoom];
-  /** From the element's pixels to units of the context. */
+  /** Units of the context in a pixel of the element. */
   const shrink = ratio / zoom;
   const family = css.fontFamily || 'sans-serif';
   // Ink on a transparent ground is that for white paper.

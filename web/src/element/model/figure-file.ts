@@ -15,7 +15,7 @@ export interface FigureValues {
   kinds: Uint8Array;
   /** '' where the file states none; lengths are in metres where it states their unit. */
   unit: string;
-  /** How they were computed, in a word; may be ''. */
+  /** The method of their computation, in a word; may be ''. */
   method: string;
 }
 
@@ -23,7 +23,7 @@ export interface FigureValues {
 export interface FigureFile {
   positions: Float32Array<ArrayBuffer>;
   indices: Uint32Array<ArrayBuffer>;
-  /** In the file's order; at least one. */
+  /** The fields in the file's order; at least one. */
   fields: FigureValues[];
   loops: Loop[];
   tips: Tips | undefined;
@@ -222,11 +222,11 @@ function figureOf(reader: Reader): FigureFile {
 
 function kindsOf(numbers: Float32Array, vertexCount: number): Uint8Array {
   must(numbers.length === vertexCount && numbers.every((kind) => [-1, 0, 1, 2].includes(kind)));
-  // Where there is no value, as the kernel has it.
+  // Vertices without a value have the kind 0, as in the kernel.
   return Uint8Array.from(numbers, (kind) => Math.max(0, kind));
 }
 
-/** In metres: rounded once, as the kernel does it. */
+/** Positions in metres: rounded once, as the kernel does it. */
 function scaled(positions: Float32Array, scale: number): Float32Array<ArrayBuffer> {
   return Float32Array.from(positions, (coordinate) => scale * coordinate);
 }

@@ -17,7 +17,7 @@ const farthest = 64;
 
 /** The content of a file, with its surface. */
 export interface Figure {
-  /** Its surface as it is; undefined where the kernel would have something to mend. */
+  /** The surface as it is; undefined where the kernel would have something to mend. */
   mesh: Mesh | undefined;
   content: FileContent;
 }

@@ -1,4 +1,4 @@
-// By which method a girth was computed, as its field has it in words.
+// The method by which a girth was computed, from the words of its field.
 
 import type { Field } from '../../kernel/types/types.js';
 import type { GirthMethod } from '../attributes/attribute-types.js';

@@ -62,7 +62,7 @@ function someExact(
   const stop = new AbortController();
   const either = linked([signal, stop.signal]);
   const options = { signal: either.signal, persistence, ...(onPartial && { onPartial }) };
-  // It never comes to its end.
+  // The computation is stopped before it ends.
   void mesh.field('igf', options).catch(() => undefined);
   const enough = setTimeout(() => stop.abort(), someMilliseconds);
   return () => {

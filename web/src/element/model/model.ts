@@ -42,7 +42,7 @@ export class Model {
   readonly mesh: Mesh;
   readonly surface: Surface;
   readonly fields: Fields;
-  /** The content of its file besides the surface. */
+  /** The content of the model's file besides the surface. */
   readonly file: FileContent;
   /** The way up that fits it. */
   readonly fitting: UpAxis;
@@ -125,7 +125,7 @@ export class Model {
     );
   }
 
-  /** Where heat stays longest, most persistent first. */
+  /** The places where heat stays longest, most persistent first. */
   heatMaxima(options: SpectralOptions): Promise<Maximum[]> {
     return this.#once(`heat maxima ${JSON.stringify(options)}`, () =>
       this.mesh.heatMaxima({ ...options, ...this.#watched }),

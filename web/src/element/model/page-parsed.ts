@@ -1,4 +1,4 @@
-// When the page is there as a whole.
+// The moment when the page is there as a whole.
 
 let parsed: Promise<void> | undefined;
 

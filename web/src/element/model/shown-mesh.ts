@@ -15,7 +15,7 @@ export interface ShownContent {
   /** Extent along x, y and z. */
   size: [number, number, number];
   area: number;
-  /** As of `MeshGeometry`. */
+  /** The positions, as of `MeshGeometry`. */
   positions: Float32Array;
   indices: Uint32Array;
   boundary: Uint32Array;

@@ -1,4 +1,4 @@
-// Where labels stand: beside what they are about, clear of the surface and of each other.
+// Places of labels: beside the things that they are about, clear of the surface and of each other.
 
 import type { Box, Silhouette } from '../../view/index.js';
 
@@ -16,7 +16,7 @@ export interface Label {
   about: Box;
   width: number;
   height: number;
-  /** Where it is now, if it is anywhere. */
+  /** The present place of the label, if it has one. */
   before: { left: number; top: number } | undefined;
 }
 

@@ -30,10 +30,10 @@ class Groups<Member> {
 const views = new Groups<LinkedView>();
 const ranges = new Groups<SharedRange>();
 
-/** From where an element is seen, which others are seen from, too. */
+/** The view of an element, which others take over. */
 export class LinkedView {
   readonly #stageOf: () => Stage | undefined;
-  /** From where it looks since it was made to follow another one. */
+  /** The view that was taken over when another element was followed last. */
   #followed: CameraView | undefined;
 
   /** `stage`: undefined as long as nothing is shown. */
@@ -59,7 +59,7 @@ export class LinkedView {
     const others = this.#others;
     const leader = others.find(({ isHome }) => !isHome);
     if (leader) {
-      // There is more to be seen as a whole.
+      // The leader fits its view to one more surface.
       leader.refit();
       this.#follow(leader);
     } else if (!stage.isHome) this.move();

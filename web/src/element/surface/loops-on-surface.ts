@@ -111,7 +111,7 @@ export class LoopsOnSurface {
   #placedAt = -Infinity;
   #placing: ReturnType<typeof setTimeout> | undefined;
   #isQuiet = false;
-  /** When the words of a quiet loop were placed. */
+  /** The time at which the words of a quiet loop were placed. */
   #besideAt = 0;
   #besideLater: ReturnType<typeof setTimeout> | undefined;
   #hover: { loop: Loop; band: LoopBand } | undefined;
@@ -375,7 +375,7 @@ export class LoopsOnSurface {
     }
   }
 
-  /** After a frame: words move with the surface. */
+  /** Places words after a frame: they move with the surface. */
   place(): void {
     if (this.#pins.length > 0) this.#placeTags();
     if (!this.#pointer || this.#pointer.isTouch) this.#placeReadout();
@@ -654,7 +654,7 @@ export class LoopsOnSurface {
     this.#readout.moveTo(placeLabels([label], this.#taken(), { width, height })[0]!);
   }
 
-  /** Where the surface and the other things on the canvas are. */
+  /** The outline of the surface and of the other things on the canvas. */
   #taken(): Silhouette {
     const taken = this.#stage.silhouette(cell);
     for (const box of this.#host.furniture()) taken.add(box);

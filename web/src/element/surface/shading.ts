@@ -49,7 +49,7 @@ const steepestGirth = 4;
 /** Milliseconds a frame may spend on spreading colours. */
 const spreadBudget = 5;
 
-/** From so many values on their range is found in a task of its own. */
+/** The number of values from which their range is found in a task of its own. */
 const manyValues = 50_000;
 
 /** Codes that the girth has beside its values, and what they mean. */
@@ -101,7 +101,7 @@ export interface ShownPlaces {
   categories: readonly Category[];
 }
 
-/** Where parts begin and end: by two thresholds, or as the kernel has smoothed them. */
+/** The thresholds of parts, or the parts as the kernel has smoothed them. */
 export interface PartsChoice extends PartThresholds {
   smoothed: Parts | undefined;
 }
@@ -199,7 +199,7 @@ export class Shading {
     return { ...(field && { field }), ...(preview && { preview }) };
   }
 
-  /** Whether what is wished for can be shown without computing anything. */
+  /** Whether the wished field can be shown without computing anything. */
   get isReady(): boolean {
     const { name } = this.wishes;
     if (isOfCodes(name)) return this.#codesOf(name).length > 0;
@@ -215,7 +215,7 @@ export class Shading {
     if (isGivenName(name)) {
       if (!this.#knownOf(name).field) await model.fields.notGiven(name);
     } else if (this.isReady && name !== 'tips') {
-      // As the model's file has it.
+      // The model's file has the field already.
     } else if (isFieldName(name)) await model.fields.compute(name);
     else if (combinationOf(name)) await model.fields.combine(name as CombinedName);
     else if (isOfCodes(name)) await model.fields.compute('igf');
@@ -483,7 +483,7 @@ export class Shading {
     return this.rangeFor({ name, unit: this.#unitOf(name), ends, isChosen });
   }
 
-  /** How values are written whose largest is this. */
+  /** The format of values whose largest is `largest`. */
   #formatFor(name: ShownName, largest: number): LengthFormat {
     return lengthFormat(largest, this.#unitOf(name), this.wishes.shownUnit);
   }

@@ -1,4 +1,4 @@
-// How a model stands on the stage: its way up, and the shadow under it.
+// The stand of a model on the stage: its way up, and the shadow under it.
 
 import { type Stage, type UpAxis, isUpName, rotationUp, upAxisOf } from '../../view/index.js';
 import { groundUnder } from './ground.js';

@@ -38,7 +38,7 @@ export function strokeOn(
       type: 'pointerdown' | 'pointermove' | 'pointerup' | 'pointercancel',
       act: (event: PointerEvent) => void,
     ): void => {
-      // Before those who turn the surface, pin loops and show them.
+      // Strokes hear the pointer before the listeners that turn the surface or pin loops.
       canvas.addEventListener(type, act, { signal, capture: true });
     };
     listen('pointerdown', (event) => {
@@ -68,7 +68,7 @@ export function strokeOn(
   });
 }
 
-/** As it is written in few letters. */
+/** A point rounded to few digits, in which it is written. */
 export function rounded(point: SurfacePoint): SurfacePoint {
   if (typeof point === 'number') return point;
   const {

@@ -3,7 +3,7 @@
 export interface SurroundingsEvents {
   /** The element has this size in CSS pixels. */
   resized(width: number, height: number): void;
-  /** It has come into view, or has left it. */
+  /** The element has come into view, or has left it. */
   sighted(isInView: boolean): void;
   /** The system's wish for less motion is another one; at first, what it is. */
   motionChanged(isReduced: boolean): void;
