@@ -245,7 +245,10 @@ async function openExample(
   return session.open({ ...exampleToOpen(example), ...as }, asked);
 }
 
-/** Opens files, or those that are found in a folder or on the disk, if there are any. What was asked for later stays. */
+/**
+ * Opens files, or those found in a folder or on the disk, if there are any. A model that was asked
+ * for later stays.
+ */
 async function openFiles(found: Files | Promise<Files>): Promise<void> {
   const asked = session.ask();
   const files = await found;
@@ -292,7 +295,10 @@ function showProjectFault(error: unknown): void {
   projectFault.hidden = false;
 }
 
-/** Opens a zip as a project; false where it is none. What was asked for later, and has been opened meanwhile, stays. */
+/**
+ * Opens a zip as a project; false where it is none. A model that was asked for later, and is open
+ * by then, stays.
+ */
 async function openProject(file: File | FileWithPath, asked: number): Promise<boolean> {
   const { projectIn } = await projects();
   const read = await projectIn(file).catch((error: unknown) => {

@@ -49,7 +49,7 @@ async function fetchFile(path: string): Promise<Response> {
   return new Response(await response.blob(), { status, headers });
 }
 
-/** Fetches what is not there yet; what was fetched stays, should the rest fail. */
+/** Fetches missing files; files that were fetched stay, should the rest fail. */
 async function fetchAll(): Promise<void> {
   const kept = await caches.open(store);
   const known = new Set((await kept.keys()).map(({ url }) => url));
@@ -81,7 +81,7 @@ async function answer(path: string, request: Request): Promise<Response> {
   return kept ?? fetch(request);
 }
 
-/** The network comes first: what was read is of no version. */
+/** The network comes first: documentation is of no version. */
 async function answerAndKeep(event: Fetching): Promise<Response> {
   const { request } = event;
   try {

@@ -8,7 +8,7 @@ import { Draft } from './widgets/draft.js';
 /** The name under which the choice is kept, as `start.ts` knows it. */
 const key = 'girth-theme';
 
-/** `changed`: what is drawn in the page's colours has others now. */
+/** `changed`: drawings in the page's colours have others now. */
 export function offerTheme(changed: () => void): void {
   const root = document.documentElement;
   const list = byId<HTMLSelectElement>('theme');

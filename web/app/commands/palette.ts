@@ -134,7 +134,7 @@ export class Palette {
       this.#said.textContent = `${action.words}: not now.`;
       return;
     }
-    // The focus goes back to where it was; what the action does with it comes after.
+    // The focus goes back to where it was, before the action moves it.
     this.#dialog.close();
     action.run();
   }

@@ -39,7 +39,7 @@ function ofTwo(name: ShownName, colormap: ColormapName | undefined): string | un
   return `the ${first} less the ${second}${sides}`;
 }
 
-/** Keeps the line up to date; what it returns is called when the print check begins or ends to colour. */
+/** Keeps the line up to date; returns a function to call when the print check has other colours. */
 export function explainColours(viewer: GirthViewer, isPrint: () => boolean): () => void {
   const line = byId('meaning');
   const write = (): void => {

@@ -14,7 +14,7 @@ export function plural(count: number, one: string, many: string): string {
 
 const sum = (numbers: readonly number[]): number => numbers.reduce((a, b) => a + b, 0);
 
-/** 'chair.glb', '9,872 faces', 'genus 1', '2 holes': what is not so is left out. */
+/** 'chair.glb', '9,872 faces', 'genus 1', '2 holes': facts that do not hold are left out. */
 export function modelFacts(info: MeshInfo): string[] {
   const facts = [info.name, plural(info.faceCount, 'face', 'faces')];
   if (info.components > 1) facts.push(plural(info.components, 'component', 'components'));

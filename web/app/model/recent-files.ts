@@ -123,7 +123,7 @@ export class RecentFiles {
     await this.#change(act);
   }
 
-  /** Changes what is kept, and says what went wrong. What is said already may be about to be read: it stays. */
+  /** Changes the kept files, and reports failures. An earlier message stays: it may not be read yet. */
   async #change(act: () => Promise<unknown>): Promise<void> {
     try {
       await act();

@@ -89,7 +89,10 @@ function hasField(name: string, facts: SurfaceFacts): boolean {
   return [first, second].every((one) => !one.startsWith('_') || facts.given.includes(one));
 }
 
-/** The state of a surface that has come: `model` says where it is from; what it cannot have is left out. */
+/**
+ * The state of a surface that has come: `model` says where it is from; things that it cannot have
+ * are left out.
+ */
 export function fitted(state: PageState, model: PageState, facts: SurfaceFacts): PageState {
   const next: PageState = { ...without(state, [...modelKeys, 'values']), ...model };
   const { field, colormap, loops, names } = next;

@@ -10,7 +10,7 @@ export interface UndoActions {
   redo(): void;
 }
 
-/** Makes the page's two buttons work; what it returns is called when `actions` can do otherwise. */
+/** Makes the page's two buttons work; returns a function to call when `actions` has changed. */
 export function offerUndo(actions: UndoActions): () => void {
   const [undo, redo] = [byId('undo'), byId('redo')];
   const run = (isRedo: boolean): void => {

@@ -24,7 +24,7 @@ export class UndoSteps {
     return this.#future.length > 0;
   }
 
-  /** Another state has come about: what was undone is forgotten. */
+  /** Another state has come about: undone steps are forgotten. */
   take(state: string): void {
     if (state === this.#present) return;
     if (this.#present !== undefined) this.#past = [...this.#past, this.#present].slice(-mostSteps);

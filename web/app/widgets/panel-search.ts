@@ -56,7 +56,7 @@ export class PanelSearch<Found> {
     this.#words.textContent = words;
   }
 
-  /** Another model, or another question: what was found no longer counts. */
+  /** Forgets the result: it is of another model, or of another question. */
   clear(): void {
     this.#resource.drop();
     this.#show({ is: 'unwanted' });

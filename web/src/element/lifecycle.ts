@@ -164,7 +164,7 @@ export class Lifecycle<
     });
   }
 
-  /** Ends the present load; what was shown before stays. */
+  /** Ends the present load; the model that was shown before stays. */
   cancelLoad(): void {
     this.#work.cancel();
   }

@@ -796,7 +796,7 @@ export class ViewerCore {
     );
   }
 
-  /** Another number of a signature is wanted: what was computed of it no longer counts. */
+  /** Another number of a signature is wanted: values of the one before no longer count. */
   #choose(name: FieldName): void {
     const { presented } = this;
     if (!presented) return;
@@ -807,7 +807,7 @@ export class ViewerCore {
     void this.#showField();
   }
 
-  /** Another persistence is wanted: what it concerns no longer counts. */
+  /** Another persistence is wanted: fields that depend on it no longer count. */
   #persist(): void {
     const { presented } = this;
     if (!presented) return;
@@ -819,7 +819,7 @@ export class ViewerCore {
     this.#forgetGirth();
   }
 
-  /** Another girth is wanted: what was made of the one before no longer counts. */
+  /** Another girth is wanted: results made of the one before no longer count. */
   #forgetGirth(): void {
     const { presented } = this;
     if (!presented) return;

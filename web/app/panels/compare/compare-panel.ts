@@ -239,7 +239,7 @@ export class ComparePanel {
       const own = await kernel;
       for (;;) {
         if (this.#isCancelled) break;
-        // The choice is read anew each time: what was asked for meanwhile comes first.
+        // The choice is read anew each time: the latest wish comes first.
         const [name, descriptor] = [this.#name, this.#descriptor];
         const pair = name === descriptor ? this.#unmeasured(name) : undefined;
         const next = this.#models.find((model) => !model.failure && !model.fieldOf(name));
@@ -266,7 +266,7 @@ export class ComparePanel {
     return undefined;
   }
 
-  /** The distance of two models by a field; what is cancelled stays unmeasured. */
+  /** The distance of two models by a field; cancelled ones stay unmeasured. */
   async #measure(a: ComparedModel, b: ComparedModel, name: FieldName): Promise<void> {
     this.#comparing = new AbortController();
     const { signal } = this.#comparing;

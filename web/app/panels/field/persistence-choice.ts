@@ -12,7 +12,7 @@ import { setAttribute } from '../../widgets/dom.js';
 import { Draft } from '../../widgets/draft.js';
 import { failureWords } from '../../widgets/failure-words.js';
 
-/** Percent of the square root of the area: what the slider reaches, and its steps. */
+/** The reach and the steps of the slider, in percent of the square root of the area. */
 const [reach, step] = [5, 0.05];
 /** The fields that a persistence changes. */
 const concerned = new Set<string>([...persistentFields, 'kind', 'tips', 'parts']);

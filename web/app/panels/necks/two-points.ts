@@ -182,7 +182,7 @@ export class TwoPoints {
     };
   }
 
-  /** Asks what a link asks; what is shown already stays. `isShown`: the answer is wanted now. */
+  /** Asks the question of a link; an answer that is there stays. `isShown`: answer at once. */
   apply({ bottleneck, profile }: PageState, isShown: boolean): void {
     const question: Question = profile && !bottleneck ? 'profile' : 'bottleneck';
     const points = bottleneck ?? profile ?? [];

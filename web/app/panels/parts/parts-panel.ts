@@ -245,7 +245,7 @@ export class PartsPanel {
     this.#setThresholds(suggested, true, true);
   }
 
-  /** Somebody has set a threshold in another way: what was typed for it is no longer meant. */
+  /** Drops typed texts: somebody has set their thresholds in another way. */
   #discardDrafts(...names: (keyof PartThresholds)[]): void {
     const all = names.length > 0 ? names : (['girth', 'thickness'] as const);
     for (const name of all) this.#inputs[name].discard();

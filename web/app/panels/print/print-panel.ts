@@ -1,4 +1,4 @@
-// The print check: what is too thin for a printer, listed, pictured and reported.
+// The print check: places too thin for a printer, listed, pictured and reported.
 
 import {
   type Category,
@@ -166,7 +166,7 @@ export class PrintPanel {
     this.#store.choose(this.#limits);
   }
 
-  /** Shows what the state has; what is there already stays, with its answer. */
+  /** Shows the limits of the state; limits that are there already stay, with their answer. */
   #follow({ tube, wall, gap, printer }: PageState): void {
     const now = this.#limits;
     if (now.tube === tube && now.wall === wall && now.gap === gap && now.printer === printer)

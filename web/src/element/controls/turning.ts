@@ -28,7 +28,7 @@ export class Turning {
     this.#host = host;
   }
 
-  /** Listens on the whole page until the signal; what is done with `button` is left to `toggle`. */
+  /** Listens on the whole page until the signal; events on `button` are left to `toggle`. */
   listen(button: Element, signal: AbortSignal): void {
     const act = (event: Event): void => {
       if (event.composedPath().includes(button)) return;

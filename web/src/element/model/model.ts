@@ -82,7 +82,7 @@ export class Model {
     return new Model(mesh, surface, fields, file, fitting);
   }
 
-  /** The girth is to be another one: what was made of it no longer counts. */
+  /** The girth is to be another one: results that were made of it no longer count. */
   forgetGirth(): void {
     this.fields.forget('igf');
     for (const name of this.#kept.keys()) if (name !== 'areas') this.#kept.delete(name);

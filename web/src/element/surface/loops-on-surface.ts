@@ -514,7 +514,7 @@ export class LoopsOnSurface {
     const isTouch = event.pointerType === 'touch';
     const point = this.#stage.pick(event.clientX, event.clientY);
     if (this.#isSecond(event, isTouch ? fingerWidth : clickSlack)) {
-      // The second of a pair: what the first one would have done is not done.
+      // The second click of a pair cancels the first, whose pin was still to come.
       this.#clicked = undefined;
       clearTimeout(this.#pinning);
       if (point !== undefined) this.#turnAbout(point);
