@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { Complaint, repository } from './run.mjs';
 import { filesBelow } from './stale.mjs';
 
-/** Folders whose comments are checked. The others follow, folder by folder. */
+/** Folders whose comments are checked: all that hold sources. */
 const folders = [
   ...['cpp', 'tests'],
   ...['web/app', 'web/docs', 'web/examples', 'web/scripts'],
