@@ -41,7 +41,6 @@ import { elementLine, frameLine } from './export/share-lines.js';
 import { type Shared, offerSharing } from './export/share-sheet.js';
 import { closeLeftSheets } from './widgets/sheets.js';
 import type { ModelScale } from './model/size-choice.js';
-import { explainTerms } from './help/terms.js';
 import { offerTheme } from './theme.js';
 import { TipsPanel } from './panels/tips/tips-panel.js';
 import { offerUndo } from './state/undo-buttons.js';
@@ -449,7 +448,12 @@ byId('all-keys').addEventListener('click', () => {
 const palette = once(async () => new (await import('./commands/palette.js')).Palette(viewer));
 const keyList = once(async () => new (await import('./commands/key-list.js')).KeyList(viewer));
 
-explainTerms();
+// Explanations of terms are fetched with the first surface, or where somebody points before.
+const explainTerms = once(async () => (await import('./help/terms.js')).explainTerms());
+for (const event of ['load', 'pointerover', 'focusin']) {
+  const from = event === 'load' ? viewer : document;
+  from.addEventListener(event, () => void explainTerms(), { once: true });
+}
 closeLeftSheets();
 offerTheme(() => field.refresh());
 offerInstalling();

@@ -2,6 +2,7 @@
 // with a small picture that Girth has made (`terms/`, by `npm run build:terms`).
 
 import { make } from '../../src/element/index.js';
+import { explains } from './term.js';
 
 interface Term {
   title: string;
@@ -84,22 +85,6 @@ const showDelay = 250;
 const hideDelay = 300;
 /** CSS pixels between the words and what they are about, and the edge of the window. */
 const gap = 10;
-
-/** A word that can be asked about. Not for the inside of other controls: see `explains`. */
-export function term(name: TermName, words: string): HTMLButtonElement {
-  const button = make('button', { type: 'button', class: 'term' }, words);
-  explains(button, name);
-  return button;
-}
-
-/** Lets a heading or a control explain a term while it is pointed at; undefined: no longer. */
-export function explains(element: HTMLElement, name: TermName | undefined): void {
-  if (name === undefined) delete element.dataset['term'];
-  else element.dataset['term'] = name;
-  if (element instanceof HTMLButtonElement && name) {
-    element.setAttribute('aria-describedby', `term-${name}`);
-  }
-}
 
 /** Explains every element of the page that has `data-term`, also such as come later. */
 export function explainTerms(): void {

@@ -16,7 +16,7 @@ import { stemOf } from '../../export/save-file.js';
 import { type Opened, isSameModel } from '../../model/session.js';
 import { TableActions } from '../../widgets/table-actions.js';
 import { type Table, plainNumber } from '../../widgets/table-text.js';
-import { term } from '../../help/terms.js';
+import { term } from '../../help/term.js';
 import type { thumbnail } from './thumbnail.js';
 
 /** More models than these are too many for workers that keep them all. */

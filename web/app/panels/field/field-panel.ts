@@ -47,7 +47,8 @@ import { RangeSliders } from './range-sliders.js';
 import { readValue } from '../../widgets/length-input.js';
 import { SecondField } from './second-field.js';
 import { SignatureChoice } from './signature-choice.js';
-import { type TermName, explains } from '../../help/terms.js';
+import { explains } from '../../help/term.js';
+import type { TermName } from '../../help/terms.js';
 
 /** Names of all that can colour the surface. */
 const shownNames: readonly ShownName[] = [...fieldNames, ...derivedNames, 'none'];

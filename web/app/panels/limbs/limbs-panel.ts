@@ -14,7 +14,7 @@ import { PanelSearch } from '../../widgets/panel-search.js';
 import { stemOf } from '../../export/save-file.js';
 import { TableActions } from '../../widgets/table-actions.js';
 import { type Table, columnOf } from '../../widgets/table-text.js';
-import { term } from '../../help/terms.js';
+import { term } from '../../help/term.js';
 
 /** The words that follow 'Limb 3 ends ...'. */
 const endWords: Record<LimbEnd, string> = {

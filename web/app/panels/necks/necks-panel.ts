@@ -26,7 +26,7 @@ import type { PagePlot } from '../../export/page-plot.js';
 import { Panel } from '../../widgets/panel.js';
 import { PanelSearch } from '../../widgets/panel-search.js';
 import { PlaceList, type PlaceRow } from '../../widgets/place-list.js';
-import { term } from '../../help/terms.js';
+import { term } from '../../help/term.js';
 import type { Store } from '../../state/store.js';
 import { TwoPoints } from './two-points.js';
 

@@ -20,7 +20,7 @@ import type { PagePlot } from '../../export/page-plot.js';
 import { Panel } from '../../widgets/panel.js';
 import { PlaceList } from '../../widgets/place-list.js';
 import { plainNumber } from '../../widgets/table-text.js';
-import { explains, term } from '../../help/terms.js';
+import { explains, term } from '../../help/term.js';
 import { ThresholdSlider } from '../../widgets/threshold-slider.js';
 
 /** The weights that a vertex's neighbourhood may have against its own. */

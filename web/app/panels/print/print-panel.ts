@@ -23,7 +23,7 @@ import type { PrintReport, ReportedPlace } from './print-report.js';
 import { answerWords, measureNames, uncheckedWords } from './print-words.js';
 import { saveFile, stemOf } from '../../export/save-file.js';
 import { type ModelScale, SizeChoice } from '../../model/size-choice.js';
-import { explains } from '../../help/terms.js';
+import { explains } from '../../help/term.js';
 import type { Store } from '../../state/store.js';
 
 /** Places that get a picture in the list, and in the report. */

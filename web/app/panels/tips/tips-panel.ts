@@ -9,7 +9,7 @@ import { failureWords } from '../../widgets/failure-words.js';
 import { plural } from '../../model/model-words.js';
 import { Panel } from '../../widgets/panel.js';
 import { PlaceList } from '../../widgets/place-list.js';
-import { term } from '../../help/terms.js';
+import { term } from '../../help/term.js';
 import { Resource, type Status } from '../../results/resource.js';
 import { TipRivals } from './tip-rivals.js';
 
