@@ -131,7 +131,7 @@ TEST_F(Command, profileAlongTheAxisOfAPencil) {
   EXPECT_EQ(run({"cut", model, "--along", path("few.json")}).exitCode, 0);
 
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"profile", model, "--limb", "1"},
+       {std::vector<std::string>{"profile", model, "--limb", "2"},
         {"profile", model, "--limb=-1"},
         {"profile", model, "0", "5", "--limb", "0"},
         {"profile", model, "--limb", "0", "--even"},

@@ -54,7 +54,7 @@ class ModelOptions : public Command {
 
 TEST_F(ModelOptions, areThoseOfEveryCommandThatReadsAModel) {
   const Helps commands = readingCommands();
-  EXPECT_EQ(commands.size(), 20u);
+  EXPECT_EQ(commands.size(), 21u);
   for (const auto& [name, help] : commands) {
     for (const char* option :
          {"  --weld LENGTH ", "  --close-holes ", "  --component N ", "  --min-component SHARE ",
@@ -69,6 +69,7 @@ TEST_F(ModelOptions, reachTheModelInEveryCommand) {
   const std::string prism = kData + "/prism.obj";
   fs::create_directories(path("shapes/a"));
   fs::copy_file(prism, path("shapes/a/prism.obj"));
+  const std::string pairs = write("pairs.csv", "0,1\n");
   const std::map<std::string, std::vector<std::string>> arguments{
       {"info", {"info", prism}},
       {"igf", {"igf", prism}},
@@ -81,6 +82,7 @@ TEST_F(ModelOptions, reachTheModelInEveryCommand) {
       {"necks", {"necks", prism}},
       {"handles", {"handles", prism}},
       {"section", {"section", prism}},
+      {"distance", {"distance", prism, "--between", pairs}},
       {"segments", {"segments", prism}},
       {"cut", {"cut", prism, "--necks", "-o", path("c.glb")}},
       {"bottleneck", {"bottleneck", prism, "0", "1"}},

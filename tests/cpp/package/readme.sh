@@ -66,6 +66,8 @@ if [ -x "$prefix/bin/girth" ]; then
     print "f 6 5 4 3 2 1\nf 13 14 15 16 17 18"
   }' > hourglass.obj
   girth remesh hourglass.obj --faces 100 -q -o figure.stl || failed=1
+  echo '[{ "name": "waist", "point": 12, "how": "girth" }]' > landmarks.json
+  printf '0,12\n5,7\n' > pairs.csv
   mkdir -p folder/thin folder/thick && cp a.obj b.obj folder/thin && cp a.obj model.stl folder/thick
   blocks sh "$source/README.md" lines-README-
   blocks sh "$source/web/docs/command.md" lines-

@@ -74,7 +74,9 @@ export class Store {
     if (next === shown) return;
     if (!wish) return this.#set({ ...held, shown: next });
     const state = chosen(wish.state, heldChoice(shown, wish.state, choice));
-    this.#set({ ...held, shown: next, wish: { ...wish, state } });
+    // The address has what the link or the step asked for, not what is chosen meanwhile.
+    const byHand = wish.byHand || state !== wish.state;
+    this.#set({ ...held, shown: next, wish: { ...wish, state, byHand } });
   }
 
   /** A whole state is asked for: it waits for its model. Returns its number; an older wish is given up. */

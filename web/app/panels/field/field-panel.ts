@@ -332,6 +332,8 @@ export class FieldPanel {
       this.#isolines.append(make('option', { value: count }, `${count} lines`));
     }
     this.#isolinesDraft.show(count);
+    // A field without numbers has no bars to paint.
+    this.#showColours();
     this.refresh();
   }
 
@@ -463,15 +465,20 @@ export class FieldPanel {
     };
   }
 
+  /** The colours that were chosen; without a choice those of the surface. */
+  #showColours(): void {
+    this.#colormapDraft.show(
+      this.#store.shown.colormap ?? this.#viewer.shown?.colormap ?? 'viridis',
+    );
+  }
+
   /** Colours of the bars, and the ends of the range. */
   #paint(reach = extent(this.#valuesOf(this.name))): void {
     const [viewer, plot, sliders] = [this.#viewer, this.#plot, this.#sliders];
     const range = viewer.getAttribute('range') ?? '';
     const offered = ranges.some(([value]) => value === range);
     this.#rangeDraft.show(offered ? range : ownRange);
-    this.#colormapDraft.show(
-      viewer.shown?.colormap ?? viewer.getAttribute('colormap') ?? 'viridis',
-    );
+    this.#showColours();
     plot.recolour((value) => this.#colourOf(value));
     sliders.show(reach, this.#ends, (value) => formatLength(value, this.#format));
   }
