@@ -449,7 +449,7 @@ const palette = once(async () => new (await import('./commands/palette.js')).Pal
 const keyList = once(async () => new (await import('./commands/key-list.js')).KeyList(viewer));
 
 // Explanations of terms are fetched with the first surface, or where somebody points before.
-const explainTerms = once(async () => (await import('./help/terms.js')).explainTerms());
+const explainTerms = once(async () => (await import('./help/explanation.js')).explainTerms());
 for (const event of ['load', 'pointerover', 'focusin']) {
   const from = event === 'load' ? viewer : document;
   from.addEventListener(event, () => void explainTerms(), { once: true });

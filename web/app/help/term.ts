@@ -1,4 +1,4 @@
-// Elements of the page that explain a term. The explanations are fetched later (`terms.ts`).
+// Elements of the page that explain a term. The explanations are fetched later (`explanation.ts`).
 
 import { make } from '../../src/element/index.js';
 import type { TermName } from './terms.js';
