@@ -19,7 +19,7 @@ const nameOf = (keyword) => (keyword === 'from' ? 'from_' : keyword);
 
 /**
  * The method `field` of a mesh.
- * @param {{ keyword: string, fields: string[], kind: string, comment: string }[]} parameters
+ * @param {{ keyword: string, fields: string[], kind: string, comment: string, words: string }[]} parameters
  */
 export function pythonFields(parameters) {
   const own = parameters.filter(({ kind }) => kind !== 'Persistence');
@@ -27,13 +27,12 @@ export function pythonFields(parameters) {
     const [annotation = ''] = passed[kind] ?? [];
     return `        ${nameOf(keyword)}: ${annotation} = ${kind === 'Method' ? 'False' : 'None'},\n`;
   });
-  const manual = own.map(({ keyword, fields, kind, comment }) => {
+  const manual = own.map(({ keyword, fields, kind, comment, words }) => {
     const of = fields.map((one) => `\`\`'${one}'\`\``).join(' and ');
-    const words =
-      kind === 'Method'
-        ? 'exact distances instead of fast marching.'
-        : inPython(sentences(comment));
-    return `        ${nameOf(keyword)} : ${passed[kind]?.[1]}\n${wrapped(`Of ${of}: ${words}`, ' '.repeat(12))}`;
+    // The member of C++ has another form: an enumeration, or radians.
+    const isOther = kind === 'Method' || kind === 'Degrees';
+    const manual = isOther ? `${words}.` : inPython(sentences(comment));
+    return `        ${nameOf(keyword)} : ${passed[kind]?.[1]}\n${wrapped(`Of ${of}: ${manual}`, ' '.repeat(12))}`;
   });
   const given = own.map(({ keyword, kind }) => {
     const value = kind === 'Method' ? `${nameOf(keyword)} or None` : nameOf(keyword);

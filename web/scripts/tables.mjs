@@ -53,13 +53,13 @@ function fieldOption(name) {
 /** Parameters of fields, with the comments and defaults of the structs that hold them. */
 export function parameters() {
   return entriesOf(`${headers}/fields.def`, 'GIRTH_FIELD_PARAMETER').map(
-    ([keyword = '', , of = '', kind = '', path = '']) => {
+    ([keyword = '', , of = '', kind = '', path = '', , , words = '']) => {
       const [outer = '', inner] = path.split('.');
       const holder = fieldOption(outer);
       const group = inner === undefined ? undefined : { name: outer, type: holder.type };
       const member = group ? structOf(group.type).members[inner ?? ''] : holder;
       if (!member) throw new Error(`FieldOptions has no ${path}`);
-      return { keyword, fields: of.split(' '), kind, path, group, ...member };
+      return { keyword, fields: of.split(' '), kind, path, group, words, ...member };
     },
   );
 }

@@ -1,8 +1,6 @@
 #include "commands/section_landmarks.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -90,34 +88,6 @@ Result<std::vector<Landmark>> readLandmarks(const std::string& file) {
   return landmarks;
 }
 
-double squared(const Vec3& a) { return a.x * a.x + a.y * a.y + a.z * a.z; }
-Vec3 difference(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-
-/// The squared distance of a place from a straight piece of a curve.
-double fromPiece(const Vec3& place, const Vec3& a, const Vec3& b) {
-  const Vec3 along = difference(b, a), to = difference(place, a);
-  const double length = squared(along);
-  const double dot = along.x * to.x + along.y * to.y + along.z * to.z;
-  const double share = length > 0 ? std::clamp(dot / length, 0.0, 1.0) : 0;
-  return squared({to.x - share * along.x, to.y - share * along.y, to.z - share * along.z});
-}
-
-/// The curve of a section that runs through a place: the nearest one.
-const SectionCurve* curveAt(const SurfaceMesh& mesh, const Section& section, const Vec3& place) {
-  const SectionCurve* nearest = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const SectionCurve& curve : section.curves) {
-    for (std::size_t i = 1; i < curve.points.size(); ++i) {
-      const double away = fromPiece(place, positionOf(mesh, curve.points[i - 1]),
-                                    positionOf(mesh, curve.points[i]));
-      if (!(away < least)) continue;
-      least = away;
-      nearest = &curve;
-    }
-  }
-  return nearest;
-}
-
 Result<NamedMeasure> measured(const Landmark& landmark, const SurfacePoint& point,
                               const SurfacePoint& to, const SurfaceMesh& mesh, const Vec3& usual) {
   NamedMeasure measure{landmark.name, landmark.how, point, 0, {}};
@@ -141,7 +111,7 @@ Result<NamedMeasure> measured(const Landmark& landmark, const SurfacePoint& poin
   if (!offset) return offset.error();
   const auto section = findSection(mesh, normal.value(), offset.value());
   if (!section) return section.error();
-  const SectionCurve* curve = curveAt(mesh, section.value(), positionOf(mesh, point));
+  const SectionCurve* curve = curveThrough(mesh, section.value(), point);
   if (curve == nullptr) {
     return makeError(ErrorCode::InvalidPoint, -1,
                      "the plane through the point only touches the surface");

@@ -105,6 +105,10 @@ GIRTH_EXPORT Result<Sections> findSections(const SurfaceMesh& mesh, const Vec3& 
 GIRTH_EXPORT Result<Section> findSection(const SurfaceMesh& mesh, const Vec3& normal,
                                          double offset);
 
+/// The curve of a section that runs through a point, or past it nearest; null: it has none.
+GIRTH_EXPORT const SectionCurve* curveThrough(const SurfaceMesh& mesh, const Section& section,
+                                              const SurfacePoint& point);
+
 /// Where a surface has the most or the least of a measure.
 enum class SectionExtreme : std::uint8_t {
   Widest,     ///< most

@@ -44,15 +44,11 @@ class Fields:
         rays : int, optional
             Of ``'sdf'``: Rays sent from each vertex, 1 to 10,000.
         cone : float, in degrees, optional
-            Of ``'sdf'``: The full opening of the cone of rays, in radians, in (0, π).
+            Of ``'sdf'``: opening of the cone.
         sharp : float, in degrees, optional
-            Of ``'thickness'``: In radians, in (0, π/2). Where two faces meet at a sharper
-            angle, measured within the body, they face each other, and the thickness falls to 0
-            at their edge. Faces that lie at a blunter angle to each other do not: a cube is as
-            thick at its edges as in the middle. Every convex body has faces that meet at 70.6°
-            or less, if they meet.
+            Of ``'thickness'``: edges sharper than this thin out to nothing.
         exact : bool, optional
-            Of ``'geoaverage'`` and ``'geofarthest'``: exact distances instead of fast marching.
+            Of ``'geoaverage'`` and ``'geofarthest'``: exact distances, not by fast marching.
         from_ : point or sequence of points, optional
             Of ``'distance'``: Where distances are measured from: each is that from the nearest
             of these points.

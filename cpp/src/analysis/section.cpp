@@ -360,6 +360,23 @@ Result<Section> findSection(const SurfaceMesh& mesh, const Vec3& normal, double 
   return std::move(all.value().sections.front());
 }
 
+const SectionCurve* curveThrough(const SurfaceMesh& mesh, const Section& section,
+                                 const SurfacePoint& point) {
+  const Vec3 place = positionOf(mesh, point);
+  const SectionCurve* nearest = nullptr;
+  double least = kInfinity;
+  for (const SectionCurve& curve : section.curves) {
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+      const double square = squareFromSegment(place, positionOf(mesh, curve.points[i - 1]),
+                                              positionOf(mesh, curve.points[i]));
+      if (!(square < least)) continue;
+      least = square;
+      nearest = &curve;
+    }
+  }
+  return nearest;
+}
+
 namespace {
 
 /// The values of a measure at some offsets, which rise.

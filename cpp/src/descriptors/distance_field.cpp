@@ -25,9 +25,7 @@ struct DistanceField {
     const std::lock_guard lock(finding);
     if (!values.empty()) return true;
     geodesic::Propagation propagation(unfolding);
-    const double faces = mesh.faceCount();
-    propagation.setBudget(
-        std::max(propagation.budget(), static_cast<std::size_t>(faces * std::sqrt(faces))));
+    propagation.allowWholeSurface();
     const double unit = unfolding.unit();
     geodesic::StopAtDistance stop([within = radius / unit] { return within; }, context);
     propagation.run(from, geodesic::Keep::Nothing, stop);

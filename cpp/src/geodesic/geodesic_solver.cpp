@@ -31,10 +31,7 @@ struct GeodesicSolver::State {
   geodesic::EarlierRuns earlier;
 
   explicit State(const SurfaceMesh& mesh) : unfolding(mesh), propagation(unfolding) {
-    // All windows of a large surface are more than most sources of a girth may take.
-    const double faces = mesh.faceCount();
-    const auto most = static_cast<std::size_t>(faces * std::sqrt(faces));
-    propagation.setBudget(std::max(propagation.budget(), most));
+    propagation.allowWholeSurface();
   }
 
   std::optional<Error> run(std::span<const SurfacePoint> sources, Keep keep,

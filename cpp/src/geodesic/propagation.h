@@ -38,6 +38,7 @@
 //   front; besides there is what is known of each vertex, and one word a halfedge.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -227,6 +228,12 @@ class Propagation {
   /// `run` gives up when the windows that have crossed a face and the visitor's effort exceed this
   /// number; `gaveUp` is true then. Default: 2^26.
   void setBudget(std::size_t windows) { budget_ = windows; }
+  /// Gives it room for all windows of a large surface, of which there are about n^1.5: more than
+  /// most sources of a girth may take.
+  void allowWholeSurface() {
+    const double faces = unfolding_->mesh().faceCount();
+    setBudget(std::max(budget_, static_cast<std::size_t>(faces * std::sqrt(faces))));
+  }
   std::size_t budget() const { return budget_; }
   bool gaveUp() const { return gaveUp_; }
   /// How far everything is known.

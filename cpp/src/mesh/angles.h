@@ -26,12 +26,16 @@ inline double angleOf(double x, double y) {
   return x < 0 ? kPi - angle : angle;
 }
 
-/// The angle of any vector but (0, 0) against the x axis, in [−π/2, 3π/2): just below the axis it
+/// The angle of any vector but (0, 0) against the x axis, counter-clockwise, in [0, 2π).
+inline double fullAngleOf(double x, double y) {
+  const double angle = angleOf(x, std::fabs(y));
+  return y < 0 ? 2 * kPi - angle : angle;
+}
+
+/// The same in [−π/2, 3π/2): just below the axis it
 /// is just below 0, or just above π.
 inline double signedAngleOf(double x, double y) {
-  const double angle = angleOf(x, std::fabs(y));
-  if (y >= 0) return angle;
-  return x > 0 ? -angle : 2 * kPi - angle;
+  return y < 0 && x > 0 ? -angleOf(x, -y) : fullAngleOf(x, y);
 }
 
 struct CosSin {

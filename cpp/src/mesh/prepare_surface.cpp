@@ -201,9 +201,9 @@ class Preparation {
       std::vector<Index> firstOpen(first_.size(), kNoIndex);
       for (Index v = 0; v < first_.size(); ++v) {
         first_[v] = faces_.place[v] == kNoIndex ? kNoIndex : ownOf(v);
-        if (first_[v] == kNoIndex || faces_.closedByFile[v]) continue;
+        if (first_[v] == kNoIndex || faces_.closedByFile[first_[v]]) continue;
         Index& first = firstOpen[faces_.place[v]];
-        if (first == kNoIndex) first = v;
+        if (first == kNoIndex) first = first_[v];
         first_[v] = first;
       }
     }
@@ -258,9 +258,7 @@ class Preparation {
     faces_.place = std::move(place);
     std::vector<Index> triangles = soup_.triangles;
     for (Index& v : triangles) v = own_[v];
-    const std::vector<bool> closed = prepare::closedByTheFile(triangles, faces_.place);
-    faces_.closedByFile.resize(closed.size());
-    for (Index v = 0; v < closed.size(); ++v) faces_.closedByFile[v] = closed[own_[v]];
+    faces_.closedByFile = prepare::closedByTheFile(triangles, faces_.place);
     return true;
   }
 
@@ -300,7 +298,6 @@ class Preparation {
       opened = opened || faces_.closedByFile[own];
       faces_.closedByFile[own] = false;
     }
-    for (Index v = 0; v < own_.size(); ++v) faces_.closedByFile[v] = faces_.closedByFile[own_[v]];
     return opened;
   }
 

@@ -430,8 +430,7 @@ struct GirthSolver::State {
     const geodesic::Vec2 at = *unfolding->placeIn(h, base);
     if (const auto place = unfolding->placeIn(h, point)) {
       const geodesic::Vec2 d = *place - at;
-      const double angle = angleOf(d.x, std::fabs(d.y));
-      return d.y < 0 ? 2 * kPi - angle : angle;
+      return fullAngleOf(d.x, d.y);
     }
     const Index twin = unfolding->twin(h);
     const geodesic::Vec2 d = *unfolding->placeIn(twin, point) - unfolding->toTwin(h, at);

@@ -401,5 +401,18 @@ TEST(Section, AcrossATubeIsWhatItsGirthLoopGoesRound) {
             ErrorCode::VertexOutOfRange);
 }
 
+TEST(Section, TheCurveThroughAPointIsThatOfItsBody) {
+  const test::Shape small = test::box(1, 1, 2, 1, 1, 1), large = test::box(2, 2, 2, 1, 1, 1);
+  const SurfaceMesh mesh = test::together(small, test::shifted(large, 5, 0, 0)).mesh();
+  const Section section = cut(mesh, {0, 0, 1}, 1);
+  ASSERT_EQ(section.curves.size(), 2u);
+  const auto through = [&](const SurfacePoint& point) {
+    return curveThrough(mesh, section, point)->perimeter;
+  };
+  expectNear(through(SurfacePoint::atVertex(Vertex(0))), 4);
+  expectNear(through(SurfacePoint::atVertex(Vertex(small.vertexCount()))), 8);
+  EXPECT_EQ(curveThrough(mesh, Section{}, SurfacePoint::atVertex(Vertex(0))), nullptr);
+}
+
 }  // namespace
 }  // namespace girth

@@ -94,18 +94,11 @@ std::optional<Error> gatherLoops(const SurfaceMesh& mesh, std::span<const double
   return std::nullopt;
 }
 
-double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double squared = dot(along, along);
-  const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0;
-  return norm(p - (a + t * along));
-}
-
 /// Whether each of some points lies on a curve.
 bool liesOn(const std::vector<Vec3>& points, const std::vector<Vec3>& curve, double tolerance) {
   return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
     for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-      if (distanceToSegment(p, curve[i], curve[i + 1]) <= tolerance) return true;
+      if (std::sqrt(squareFromSegment(p, curve[i], curve[i + 1])) <= tolerance) return true;
     }
     return false;
   });

@@ -298,8 +298,7 @@ class FaceJoiner {
       const Vec3 w = across(h);
       const double along = dot(w, x), up = dot(w, y);
       // By the same steps for all, so that faces on one another have exactly one angle.
-      double angle = along == 0 && up == 0 ? 0 : angleOf(along, std::fabs(up));
-      if (up < 0) angle = 2 * kPi - angle;
+      const double angle = along == 0 && up == 0 ? 0 : fullAngleOf(along, up);
       leaves.push_back({angle, startOf(h) == high, h});
     }
     std::sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {

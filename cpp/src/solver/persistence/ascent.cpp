@@ -77,17 +77,6 @@ bool findCovered(const Window& w, double length, const Straight& piece, double& 
          keepPositive(cross(right, from), cross(right, to));
 }
 
-double squareOf(Vec3 a) { return girth::dot(a, a); }
-
-/// Square of how far a point is from a segment, in space.
-double squareFromSegment(Vec3 point, Vec3 from, Vec3 to) {
-  const Vec3 along = to - from;
-  const double square = squareOf(along);
-  const double share =
-      square > 0 ? std::clamp(girth::dot(point - from, along) / square, 0.0, 1.0) : 0;
-  return squareOf(point - (from + share * along));
-}
-
 }  // namespace
 
 void Ascent::start(double low, double high) {

@@ -302,8 +302,7 @@ Bend PathOrder::atOrigin(const Propagation::Origin& origin, Vec2 towards) const 
   Vec2 v = unfolding_->toFrame(3 * origin.face, frame, towards) -
            unfolding_->toFrame(3 * origin.face, frame, {0, 0});
   if (isBehind) v = -1 * v;
-  const double angle = angleOf(v.x, std::fabs(v.y));
-  const double direction = v.y < 0 ? 2 * kPi - angle : angle;
+  const double direction = fullAngleOf(v.x, v.y);
   return {kNoIndex, direction > 2 * kPi - kSameTurn ? direction - 2 * kPi : direction};
 }
 

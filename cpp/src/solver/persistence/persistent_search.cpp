@@ -261,7 +261,6 @@ PersistentSearch::Fate PersistentSearch::foresee(const Saddle& saddle, double en
 /// Whether the midpoint of a loop is so near to a corner of its face that what lies between them is
 /// less than the walks on its sides can see.
 bool PersistentSearch::isBesideCorner(const Saddle& saddle) const {
-  constexpr double kBesideCorner = 1e-6;
   const Unfolding& unfolding = propagation_->unfolding();
   const Index face = faceOfSide(saddle.loop.halfedge);
   double nearest = kInfinity, longest = 0;
@@ -270,7 +269,7 @@ bool PersistentSearch::isBesideCorner(const Saddle& saddle) const {
     nearest = std::min(nearest, norm(at));
     longest = std::max(longest, unfolding.crossing(h).length());
   }
-  return nearest <= kBesideCorner * longest;
+  return nearest <= kSaddleOnSide * longest;
 }
 
 /// Whether no other saddle is as high, up to rounding.

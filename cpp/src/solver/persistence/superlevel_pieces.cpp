@@ -18,8 +18,6 @@ using geodesic::Vec2;
 namespace {
 
 constexpr std::size_t kMostCells = 128;
-/// A saddle nearer to a side, as a share of it, may lie on it.
-constexpr double kOnSide = 1e-6;
 /// Paths of lengths and directions so near each other arrive as one.
 constexpr double kSamePoint = 1e-8, kSameRay = 1e-6;
 constexpr std::size_t kNoPie = static_cast<std::size_t>(-1);
@@ -111,9 +109,10 @@ bool SuperlevelPieces::cutAlong(const SaddleSide& side) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Side& s = whole[k];
     const double off = cross(s.to - s.from, side.point - s.from) / s.end;
-    if (off > kOnSide * s.end) continue;
+    if (off > kSaddleOnSide * s.end) continue;
     isInside = false;
-    if (std::fabs(ahead(s.from)) > kOnSide * s.end || std::fabs(ahead(s.to)) > kOnSide * s.end) {
+    if (std::fabs(ahead(s.from)) > kSaddleOnSide * s.end ||
+        std::fabs(ahead(s.to)) > kSaddleOnSide * s.end) {
       continue;
     }
     // The loop runs along this side.

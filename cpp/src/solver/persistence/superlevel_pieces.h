@@ -17,6 +17,9 @@
 
 namespace girth {
 
+/// A saddle nearer to a side, as a share of it, may lie on it.
+inline constexpr double kSaddleOnSide = 1e-6;
+
 /// A side of the loop of a saddle that lies inside a face or on its rim, in the frame of a halfedge
 /// of the face.
 struct SaddleSide {

@@ -70,8 +70,7 @@ double Arrivals::directionTo(const Unfolding& unfolding, Index halfedge, Vec2 po
                              Vec2 other) const {
   const Vec2 d =
       unfolding.toFrame(halfedge, base, other) - unfolding.toFrame(halfedge, base, point);
-  const double angle = signedAngleOf(d.x, d.y);
-  return angle < 0 && !open ? 2 * kPi + angle : angle;
+  return open ? signedAngleOf(d.x, d.y) : fullAngleOf(d.x, d.y);
 }
 
 void findArrivals(const Propagation& propagation, Index halfedge, Vec2 point, double reach,
