@@ -32,7 +32,7 @@ inline double fullAngleOf(double x, double y) {
   return y < 0 ? 2 * kPi - angle : angle;
 }
 
-/// The same in [−π/2, 3π/2): just below the axis it
+/// The angle of any vector but (0, 0) in [−π/2, 3π/2): just below the axis it
 /// is just below 0, or just above π.
 inline double signedAngleOf(double x, double y) {
   return y < 0 && x > 0 ? -angleOf(x, -y) : fullAngleOf(x, y);
