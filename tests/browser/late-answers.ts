@@ -1,9 +1,14 @@
-// Makes pages slow in the way that a busy machine does: what workers say arrives late.
+// Makes pages slow in the way that a busy machine does: answers of workers and of servers arrive late.
 
 import type { BrowserContext } from 'playwright-core';
 
 /** The longest that anything is held back, in milliseconds; 0: nothing is. */
 const longest = Number(process.env['GIRTH_TEST_DELAY'] ?? 0);
+
+/** Waits as long as a script may take from a busy server. */
+export async function delayScript(): Promise<void> {
+  if (longest > 0) await new Promise((done) => setTimeout(done, longest * Math.random()));
+}
 
 /** Holds back what workers say to the pages of a context, as `npm run test:repeat -- --delay` asks for. */
 export async function delayAnswers(context: BrowserContext): Promise<void> {

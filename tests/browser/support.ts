@@ -15,7 +15,7 @@ import {
 } from 'playwright-core';
 import { afterAll, beforeAll } from 'vitest';
 import { chromiumPath } from '../../web/scripts/chromium.mjs';
-import { delayAnswers } from './late-answers.js';
+import { delayAnswers, delayScript } from './late-answers.js';
 
 /** The top of the repository. */
 export const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -111,6 +111,7 @@ export async function serve(folder: string, options: ServeOptions = {}): Promise
       response.writeHead(404, headers).end('not found');
       return;
     }
+    if (extname(file) === '.js') await delayScript();
     const type = mediaTypes[extname(file)] ?? 'application/octet-stream';
     const instead = options.answers?.(path, body);
     const status = instead?.status ?? 200;

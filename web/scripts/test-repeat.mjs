@@ -1,8 +1,8 @@
 // `npm run test:repeat [-- FILE...] [-- --times N] [-- --loaded N] [-- --delay MS]`: runs the browser tests again
 // and again, to find those that do not hold: N times (20 by default) as they are, then N times (as often by
-// default) on one core with two busy loops beside them. With a delay, what workers say comes to the page up to
-// that many milliseconds late, each time another number of them: races show that a quick machine hides. What
-// has been built is tested. Prints every failure with its test, and how often each failed; how far a run is
+// default) on one core with two busy loops beside them. With a delay, messages of workers and scripts of the
+// server come up to that many milliseconds late, each time another number of them: races show that a quick
+// machine hides. The tests run on the present build. Prints every failure with its test, and how often each failed; how far a run is
 // stands in build/reports/repeat.log.
 
 import { spawn, spawnSync } from 'node:child_process';

@@ -473,7 +473,8 @@ export class ComparePanel {
   #pictureOf(model: ComparedModel, name: FieldName): HTMLCanvasElement | undefined {
     if (!model.mesh) return undefined;
     if (!this.#thumbnail) {
-      void this.#fetchThumbnail();
+      // Without the module, which the next change fetches again, rows have no pictures.
+      this.#fetchThumbnail().catch(() => undefined);
       return undefined;
     }
     const field = model.fieldOf(name);
