@@ -13,7 +13,7 @@ import { without } from './state/actions.js';
 import { Address } from './state/address.js';
 import { Store } from './state/store.js';
 import { followAttributes, followCamera } from './state/attributes.js';
-import { ComparePanel } from './panels/compare/compare-panel.js';
+import type { ComparePanel } from './panels/compare/compare-panel.js';
 import { ComputedFields } from './model/computed-fields.js';
 import { byId, nextTask, once } from './widgets/dom.js';
 import { type Files, acceptDrops } from './model/drop.js';
@@ -31,7 +31,7 @@ import { forwardKeys, pressControls } from './commands/keys.js';
 import { ModelDetails } from './model/model-details.js';
 import { offerInstalling, workOffline } from './offline.js';
 import type { PagePlot } from './export/page-plot.js';
-import type { Panel } from './widgets/panel.js';
+import { Panel } from './widgets/panel.js';
 import { PartsPanel } from './panels/parts/parts-panel.js';
 import { PinnedList } from './panels/loops/pinned-list.js';
 import { PrintPanel } from './panels/print/print-panel.js';
@@ -86,18 +86,25 @@ const size: ModelScale = {
   },
 };
 const print = new PrintPanel(viewer, store, size, () => explain());
-const compare = new ComparePanel({
-  present: () => session.opened && { opened: session.opened, name: viewer.info?.name ?? '' },
-  gallery: () =>
-    examples.all.map((example) => ({ opened: exampleToOpen(example), name: example.file })),
-  fieldOf: (opened, name) => {
-    const isShown = session.opened && isSameModel(session.opened, opened);
-    // The page computes the girth of every model that it shows.
-    return isShown && (name === 'igf' || computed.has(name)) ? viewer.fieldOf(name) : undefined;
-  },
-  show: (opened) => void session.open(opened),
-  showBeside: (opened) => void beside().then((one) => one.open(opened)),
+const comparePanel = new Panel('compare-panel');
+let compared: ComparePanel | undefined;
+/** The comparison is fetched when its panel is opened, or several models are. */
+const compare = once(async () => {
+  const { ComparePanel } = await import('./panels/compare/compare-panel.js');
+  return (compared = new ComparePanel(comparePanel, {
+    present: () => session.opened && { opened: session.opened, name: viewer.info?.name ?? '' },
+    gallery: () =>
+      examples.all.map((example) => ({ opened: exampleToOpen(example), name: example.file })),
+    fieldOf: (opened, name) => {
+      const isShown = session.opened && isSameModel(session.opened, opened);
+      // The page computes the girth of every model that it shows.
+      return isShown && (name === 'igf' || computed.has(name)) ? viewer.fieldOf(name) : undefined;
+    },
+    show: (opened) => void session.open(opened),
+    showBeside: (opened) => void beside().then((one) => one.open(opened)),
+  }));
 });
+comparePanel.onToggle((isOpen) => isOpen && void compare());
 const panels: Record<PanelName, Panel> = {
   loops: loops.panel,
   tips: tips.panel,
@@ -105,7 +112,7 @@ const panels: Record<PanelName, Panel> = {
   necks: necks.panel,
   parts: parts.panel,
   print: print.panel,
-  compare: compare.panel,
+  compare: comparePanel,
 };
 
 const openPanel = (): PanelName | undefined => {
@@ -277,13 +284,13 @@ async function openFiles(found: Files | Promise<Files>): Promise<void> {
     const named = models.find((path) => !unreadable.some(({ model }) => model === path))!;
     session.name(named);
     store.choose({ file: named });
-    compare.add(
+    comparePanel.reveal();
+    (await compare()).add(
       models.map((model) => ({
         opened: { source, link: { file: model }, model, prepare: {} },
         name: model,
       })),
     );
-    compare.panel.reveal();
   }
 }
 
@@ -370,7 +377,7 @@ const recent = new RecentFiles(viewer, (files) => void openFiles(files));
 acceptDrops(byId('drop'), (files) => void openFiles(files));
 acceptLaunches((files) => void openFiles(files));
 const plots = (): PagePlot[] =>
-  [field, limbs, necks, parts, compare].flatMap((panel) => panel.plots);
+  [field, limbs, necks, parts, ...(compared ? [compared] : [])].flatMap(({ plots }) => plots);
 offerExports(viewer, computed, { parts, loops, limbs, necks }, plots, async () =>
   (await projects()).projectOf(viewer, session.opened!, store.shown, computed),
 );

@@ -243,17 +243,20 @@ class Preparation {
     return false;
   }
 
-  /// Whether edges of more than two faces stay open, and a file of facets lists bodies one after
-  /// the other that lie on one another. From then on each body has vertices of its own.
+  /// Whether edges of more than two faces stay open, and a file lists bodies one after the other
+  /// that lie on one another. From then on each body has vertices of its own.
   bool separateBodies(const prepare::JoinedFaces& joined) {
-    if (!isOfFacets_ || areBodiesKnown_ || options_.weldDistance > 0) return false;
+    const bool areVerticesAtOnePlace = isOfFacets_ || !faces_.place.empty();
+    if (!areVerticesAtOnePlace || areBodiesKnown_ || options_.weldDistance > 0) return false;
     areBodiesKnown_ = true;
     if (std::none_of(joined.cut.begin(), joined.cut.end(),
                      [&](Index h) { return joined.twin[h] == kNoIndex; })) {
       return false;
     }
     std::vector<Index> place = prepare::firstAtSamePlace(soup_.positions, soup_.triangles);
-    own_ = prepare::firstInBody(soup_.triangles, place);
+    own_ = prepare::firstInBody(
+        soup_.triangles, place,
+        isOfFacets_ ? prepare::CornerSharing::None : prepare::CornerSharing::Some);
     if (own_.empty()) return false;
     faces_.place = std::move(place);
     std::vector<Index> triangles = soup_.triangles;

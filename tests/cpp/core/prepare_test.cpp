@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -63,6 +64,24 @@ Shape apart(const Shape& shape) {
         soup.add(shape.positions[3 * v], shape.positions[3 * v + 1], shape.positions[3 * v + 2]));
   }
   return soup;
+}
+
+/// A box each of whose six sides has vertices of its own, as flat shading asks for.
+Shape sidesApart(const Shape& box) {
+  Shape sides;
+  std::map<std::array<Index, 2>, Index> numberOf;  // by axis of the side and vertex
+  for (std::size_t f = 0; f < box.triangles.size() / 3; ++f) {
+    const Index* v = &box.triangles[3 * f];
+    const auto at = [&](Index corner, std::size_t k) { return box.positions[3 * corner + k]; };
+    Index axis = 0;
+    while (at(v[0], axis) != at(v[1], axis) || at(v[0], axis) != at(v[2], axis)) ++axis;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [entry, isNew] = numberOf.try_emplace({axis, v[i]}, 0);
+      if (isNew) entry->second = sides.add(at(v[i], 0), at(v[i], 1), at(v[i], 2));
+      sides.triangles.push_back(entry->second);
+    }
+  }
+  return sides;
 }
 
 double sixfoldVolume(const SurfaceMesh& mesh) {
@@ -628,19 +647,18 @@ TEST(Prepare, WhatTheFileClosesStaysClosed) {
   EXPECT_NEAR(nested.parts[0].area, 42, 1e-12);
   EXPECT_NEAR(nested.parts[1].area, 6, 1e-12);
   expectSound(apart(crossing), nested);
-  // Where sides lie in one plane, what is inside of both cannot be told; the order of the facets
-  // can.
-  const auto atOffset = [&](double x, double y, double z) {
-    return apart(shifted(cubes, x, y, z));
-  };
-  const Shape pair = together(apart(cubes), atOffset(1, 0, 0));
-  for (const Shape& inOnePlane : {pair, together(pair, atOffset(0, 1, 0))}) {
-    const PreparedSurface bodies = prepared(inOnePlane);
-    EXPECT_EQ(bodies.report.boundaryCurves, 0u);
-    EXPECT_EQ(bodies.report.duplicateFaces, 0u);
-    ASSERT_EQ(48 * bodies.report.components, inOnePlane.triangles.size() / 3);
-    for (const SurfacePart& part : bodies.parts) EXPECT_NEAR(part.area, 24, 1e-12);
-    expectSound(inOnePlane, bodies);
+  // Where sides lie in one plane, the inside of both cannot be told; the order of the faces can,
+  // with vertices of its own for every corner, as in STL, or for every side, as in flat shading.
+  for (const Shape& cube : {apart(cubes), sidesApart(cubes)}) {
+    const Shape pair = together(cube, shifted(cube, 1, 0, 0));
+    for (const Shape& inOnePlane : {pair, together(pair, shifted(cube, 0, 1, 0))}) {
+      const PreparedSurface bodies = prepared(inOnePlane);
+      EXPECT_EQ(bodies.report.boundaryCurves, 0u);
+      EXPECT_EQ(bodies.report.duplicateFaces, 0u);
+      ASSERT_EQ(48 * bodies.report.components, inOnePlane.triangles.size() / 3);
+      for (const SurfacePart& part : bodies.parts) EXPECT_NEAR(part.area, 24, 1e-12);
+      expectSound(inOnePlane, bodies);
+    }
   }
   // The second cube open, and then with a seam round every side.
   for (const bool isOpen : {true, false}) {

@@ -17,9 +17,10 @@ class BodyFinder {
   BodyFinder(std::span<const Index> triangles, const std::vector<Index>& place)
       : triangles_(triangles), place_(place) {}
 
-  std::vector<Index> run() {
+  std::vector<Index> run(CornerSharing sharing) {
     findEdges();
     if (!findBodies()) return {};
+    if (sharing == CornerSharing::Some && !keepSimpleBodies()) return {};
     return firstOfEach();
   }
 
@@ -73,6 +74,39 @@ class BodyFinder {
     return isSeveral;
   }
 
+  /// Takes faces out of bodies that have an edge of more than two faces, or a vertex of another
+  /// face. False: no body is left.
+  bool keepSimpleBodies() {
+    const Index bodies = 1 + *std::max_element(bodyOf_.begin(), bodyOf_.end());
+    std::vector<bool> isSimple(bodies, true);
+    std::vector<Index> bodyOf(place_.size(), kNoIndex);
+    for (Index h = 0; h < triangles_.size(); ++h) {
+      Index& body = bodyOf[triangles_[h]];
+      if (body == kNoIndex) body = bodyOf_[h / 3];
+      if (body != bodyOf_[h / 3]) isSimple[body] = isSimple[bodyOf_[h / 3]] = false;
+    }
+    // The faces of each body at each edge; a body that ends open has an edge of one face, or of
+    // two in one direction.
+    std::vector<std::tuple<Index, Index, bool>> uses;
+    for (Index h = 0; h < triangles_.size(); ++h) {
+      const Index from = placeOf(h), to = placeOf(nextSide(h));
+      if (from != to) uses.emplace_back(edgeOf_[h], bodyOf_[h / 3], from < to);
+    }
+    std::sort(uses.begin(), uses.end());
+    for (std::size_t i = 0, end; i < uses.size(); i = end) {
+      const auto [edge, body, isForth] = uses[i];
+      for (end = i + 1; end < uses.size() && std::get<0>(uses[end]) == edge &&
+                        std::get<1>(uses[end]) == body;) {
+        ++end;
+      }
+      if (end - i != 2 || isForth == std::get<2>(uses[i + 1])) isSimple[body] = false;
+    }
+    for (Index& body : bodyOf_) {
+      if (!isSimple[body]) body = kNoIndex;
+    }
+    return std::find(isSimple.begin(), isSimple.end(), true) != isSimple.end();
+  }
+
   std::vector<Index> firstOfEach() const {
     std::vector<Index> bodyOf(place_.size(), kNoIndex);
     for (Index h = 0; h < triangles_.size(); ++h) bodyOf[triangles_[h]] = bodyOf_[h / 3];
@@ -96,13 +130,14 @@ class BodyFinder {
   std::vector<Index> edgeOf_;          ///< of each halfedge
   std::vector<Index> cluster_;         ///< of each face, on the way to one of its cluster
   std::vector<std::ptrdiff_t> forth_;  ///< of each edge: faces along it less those against it
-  std::vector<Index> bodyOf_;          ///< of each face
+  std::vector<Index> bodyOf_;          ///< of each face; kNoIndex: of none
 };
 
 }  // namespace
 
-std::vector<Index> firstInBody(std::span<const Index> triangles, const std::vector<Index>& place) {
-  return BodyFinder(triangles, place).run();
+std::vector<Index> firstInBody(std::span<const Index> triangles, const std::vector<Index>& place,
+                               CornerSharing sharing) {
+  return BodyFinder(triangles, place).run(sharing);
 }
 
 }  // namespace girth::prepare

@@ -10,7 +10,7 @@ import { Draft } from '../../widgets/draft.js';
 import { failureWords } from '../../widgets/failure-words.js';
 import { kernel } from '../../model/kernel.js';
 import type { PagePlot } from '../../export/page-plot.js';
-import { Panel } from '../../widgets/panel.js';
+import type { Panel } from '../../widgets/panel.js';
 import { PlaceList } from '../../widgets/place-list.js';
 import { stemOf } from '../../export/save-file.js';
 import { type Opened, isSameModel } from '../../model/session.js';
@@ -51,7 +51,7 @@ export interface ComparePage {
 }
 
 export class ComparePanel {
-  readonly panel = new Panel('compare-panel');
+  readonly panel: Panel;
   readonly #field = make('select', { id: 'compare-field', 'aria-label': 'Compare by' });
   readonly #choice: Draft;
   readonly #plot = new DistributionPlot();
@@ -84,7 +84,8 @@ export class ComparePanel {
   #timer: ReturnType<typeof setTimeout> | undefined;
   readonly #page: ComparePage;
 
-  constructor(page: ComparePage) {
+  constructor(panel: Panel, page: ComparePage) {
+    this.panel = panel;
     this.#page = page;
     this.#field.append(
       ...comparedFields.map((name) => make('option', { value: name }, fieldTitle(name))),
