@@ -191,11 +191,7 @@ class Preparation {
   }
 
   void weld() {
-    if (faces_.place.empty() && !isOfFacets_) {
-      faces_.triangles = std::move(soup_.triangles);
-    } else {
-      faces_.triangles = soup_.triangles;
-    }
+    faces_.triangles = soup_.triangles;
     if (!faces_.place.empty()) {
       // Each vertex that is not closed stands for the first such at its place.
       std::vector<Index> firstOpen(first_.size(), kNoIndex);
@@ -235,8 +231,9 @@ class Preparation {
     if (separateBodies(joined) || openWhatIsNotClosed()) return true;
     soup_.triangles = {};
     report_.unreferencedVertices =
-        report_.inputVertices - report_.weldedVertices -
+        static_cast<Index>(first_.size()) - report_.weldedVertices -
         (static_cast<Index>(split_.inputOfVertex.size()) - report_.addedVertices);
+    report_.addedVertices += static_cast<Index>(copied_.size());
     findParts(joined);
     // From here on the faces name the surface's vertices.
     faces_.triangles = std::move(split_.vertexOfCorner);
@@ -246,18 +243,24 @@ class Preparation {
   /// Whether edges of more than two faces stay open, and a file lists bodies one after the other
   /// that lie on one another. From then on each body has vertices of its own.
   bool separateBodies(const prepare::JoinedFaces& joined) {
-    const bool areVerticesAtOnePlace = isOfFacets_ || !faces_.place.empty();
-    if (!areVerticesAtOnePlace || areBodiesKnown_ || options_.weldDistance > 0) return false;
+    if (areBodiesKnown_ || options_.weldDistance > 0) return false;
     areBodiesKnown_ = true;
     if (std::none_of(joined.cut.begin(), joined.cut.end(),
                      [&](Index h) { return joined.twin[h] == kNoIndex; })) {
       return false;
     }
     std::vector<Index> place = prepare::firstAtSamePlace(soup_.positions, soup_.triangles);
-    own_ = prepare::firstInBody(
-        soup_.triangles, place,
-        isOfFacets_ ? prepare::CornerSharing::None : prepare::CornerSharing::Some);
-    if (own_.empty()) return false;
+    prepare::Bodies bodies = prepare::separateBodies(soup_.triangles, place);
+    if (bodies.first.empty()) return false;
+    own_ = std::move(bodies.first);
+    copied_ = std::move(bodies.copied);
+    for (const Index v : copied_) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        soup_.positions.push_back(soup_.positions[3 * std::size_t{v} + k]);
+      }
+    }
+    faces_.positions = soup_.positions;
+    first_.resize(place.size());
     faces_.place = std::move(place);
     std::vector<Index> triangles = soup_.triangles;
     for (Index& v : triangles) v = own_[v];
@@ -267,6 +270,11 @@ class Preparation {
 
   /// The vertex that stands for a vertex of the input within its body.
   Index ownOf(Index vertex) const { return own_.empty() ? vertex : own_[vertex]; }
+
+  /// The vertex of the input that a vertex is, or copies.
+  Index inputOf(Index vertex) const {
+    return vertex < report_.inputVertices ? vertex : copied_[vertex - report_.inputVertices];
+  }
 
   /// Where vertices at one place may differ: the vertex of the input at each corner.
   void findInputOfCorners() {
@@ -395,30 +403,31 @@ class Preparation {
     for (Index v = 0; v < copies; ++v) {
       if (facesOfVertex[v] == 0) continue;
       number[v] = static_cast<Index>(kept.size());
-      kept.push_back(split_.inputOfVertex[v]);
+      kept.push_back(inputOf(split_.inputOfVertex[v]));
     }
     // For each vertex of the input its copy: one that stands for it, that with the most faces, the
     // first.
-    std::vector<Index> copyOfInput(first_.size(), kNoIndex);
+    std::vector<Index> copyOfInput(report_.inputVertices, kNoIndex);
+    const auto rootOfInput = [&](Index v) { return inputOf(prepare::rootOf(first_, v)); };
     const auto consider = [&](Index input, Index v) {
       const auto rank = [&](Index copy) {
-        return std::tuple(split_.inputOfVertex[copy] != input, ~facesOfVertex[copy], copy);
+        return std::tuple(inputOf(split_.inputOfVertex[copy]) != input, ~facesOfVertex[copy], copy);
       };
       Index& copy = copyOfInput[input];
       if (copy == kNoIndex || rank(v) < rank(copy)) copy = v;
     };
     for (std::size_t corner = 0; corner < inputOfCorner_.size(); ++corner) {
-      consider(inputOfCorner_[corner], faces_.triangles[corner]);
+      consider(inputOf(inputOfCorner_[corner]), faces_.triangles[corner]);
     }
     std::vector<Index> own = copyOfInput;
     for (Index v = 0; v < copies; ++v) {
-      if (facesOfVertex[v] > 0) consider(prepare::rootOf(first_, split_.inputOfVertex[v]), v);
+      if (facesOfVertex[v] > 0) consider(rootOfInput(split_.inputOfVertex[v]), v);
     }
-    vertexOfInput_.assign(first_.size(), Vertex::none);
-    for (Index input = 0; input < first_.size(); ++input) {
+    vertexOfInput_.assign(report_.inputVertices, Vertex::none);
+    for (Index input = 0; input < report_.inputVertices; ++input) {
       if (first_[input] == kNoIndex) continue;
       Index copy = own[input];
-      if (copy == kNoIndex) copy = copyOfInput[prepare::rootOf(first_, input)];
+      if (copy == kNoIndex) copy = copyOfInput[rootOfInput(input)];
       if (copy != kNoIndex) vertexOfInput_[input] = Vertex(number[copy]);
     }
     inputOfCorner_ = {};
@@ -490,8 +499,9 @@ class Preparation {
   PreparationReport report_;
   std::vector<Index> first_;  ///< for each vertex of the input the one that stands for it
   WorkingFaces faces_;
-  std::vector<Index> own_;  ///< the first vertex of its body at each place; empty: no bodies
-  bool isOfFacets_{false};  ///< every corner is a vertex of its own
+  std::vector<Index> own_;     ///< the first vertex of its body at each place; empty: no bodies
+  std::vector<Index> copied_;  ///< the vertices of several bodies that those after the input copy
+  bool isOfFacets_{false};     ///< every corner is a vertex of its own
   bool areBodiesKnown_{false};
   std::vector<Index> inputOfCorner_;  ///< empty where vertices at one place are one
   prepare::SplitVertices split_;

@@ -84,6 +84,18 @@ Shape sidesApart(const Shape& box) {
   return sides;
 }
 
+Shape oneVertexAtEachPlace(const Shape& shape) {
+  Shape joined;
+  std::map<std::array<double, 3>, Index> at;
+  for (const Index v : shape.triangles) {
+    const double* p = &shape.positions[3 * std::size_t{v}];
+    const auto [entry, isNew] = at.try_emplace({p[0], p[1], p[2]}, 0);
+    if (isNew) entry->second = joined.add(p[0], p[1], p[2]);
+    joined.triangles.push_back(entry->second);
+  }
+  return joined;
+}
+
 double sixfoldVolume(const SurfaceMesh& mesh) {
   double sum = 0;
   for (const Face f : mesh.faces()) {
@@ -648,10 +660,12 @@ TEST(Prepare, WhatTheFileClosesStaysClosed) {
   EXPECT_NEAR(nested.parts[1].area, 6, 1e-12);
   expectSound(apart(crossing), nested);
   // Where sides lie in one plane, the inside of both cannot be told; the order of the faces can,
-  // with vertices of its own for every corner, as in STL, or for every side, as in flat shading.
+  // with vertices of its own for every corner, as in STL, or for every side, as in flat shading,
+  // and with one vertex at each place.
   for (const Shape& cube : {apart(cubes), sidesApart(cubes)}) {
     const Shape pair = together(cube, shifted(cube, 1, 0, 0));
-    for (const Shape& inOnePlane : {pair, together(pair, shifted(cube, 0, 1, 0))}) {
+    const Shape three = together(pair, shifted(cube, 0, 1, 0));
+    for (const Shape& inOnePlane : {pair, three, oneVertexAtEachPlace(three)}) {
       const PreparedSurface bodies = prepared(inOnePlane);
       EXPECT_EQ(bodies.report.boundaryCurves, 0u);
       EXPECT_EQ(bodies.report.duplicateFaces, 0u);

@@ -14,14 +14,17 @@ namespace {
 
 class BodyFinder {
  public:
-  BodyFinder(std::span<const Index> triangles, const std::vector<Index>& place)
+  BodyFinder(std::vector<Index>& triangles, std::vector<Index>& place)
       : triangles_(triangles), place_(place) {}
 
-  std::vector<Index> run(CornerSharing sharing) {
+  Bodies run() {
     findEdges();
     if (!findBodies()) return {};
-    if (sharing == CornerSharing::Some && !keepSimpleBodies()) return {};
-    return firstOfEach();
+    if (!isOfFacets() && !keepSimpleBodies()) return {};
+    Bodies bodies;
+    bodies.copied = copyShared();
+    bodies.first = firstOfEach();
+    return bodies;
   }
 
  private:
@@ -51,13 +54,13 @@ class BodyFinder {
     std::vector<Index> open(cluster_.size(), 0);  // edges that do not yet close, by cluster
     std::vector<Index> current(cluster_.size(), kNoIndex);
     Index bodies = 0;
-    bool isSeveral = false;
+    isSeveral_.assign(cluster_.size(), false);
     std::vector<bool> hasBegun(cluster_.size(), false);
     for (Index f = 0; f < cluster_.size(); ++f) {
       const Index cluster = rootOf(cluster_, f);
       if (current[cluster] == kNoIndex) {
         current[cluster] = bodies++;
-        isSeveral = isSeveral || hasBegun[cluster];
+        isSeveral_[cluster] = hasBegun[cluster];
         hasBegun[cluster] = true;
       }
       bodyOf_[f] = current[cluster];
@@ -71,40 +74,60 @@ class BodyFinder {
       }
       if (open[cluster] == 0) current[cluster] = kNoIndex;
     }
-    return isSeveral;
+    return std::find(isSeveral_.begin(), isSeveral_.end(), true) != isSeveral_.end();
   }
 
-  /// Takes faces out of bodies that have an edge of more than two faces, or a vertex of another
-  /// face. False: no body is left.
+  /// Whether every corner is a vertex of its own.
+  bool isOfFacets() const {
+    const std::size_t unused =
+        static_cast<std::size_t>(std::count(place_.begin(), place_.end(), kNoIndex));
+    return place_.size() - unused == triangles_.size();
+  }
+
+  /// Keeps the bodies of clusters in which each edge of a body has two faces. False: none is left.
   bool keepSimpleBodies() {
-    const Index bodies = 1 + *std::max_element(bodyOf_.begin(), bodyOf_.end());
-    std::vector<bool> isSimple(bodies, true);
-    std::vector<Index> bodyOf(place_.size(), kNoIndex);
+    std::vector<std::tuple<Index, Index, Index>> uses;  // edge, body, halfedge
     for (Index h = 0; h < triangles_.size(); ++h) {
-      Index& body = bodyOf[triangles_[h]];
-      if (body == kNoIndex) body = bodyOf_[h / 3];
-      if (body != bodyOf_[h / 3]) isSimple[body] = isSimple[bodyOf_[h / 3]] = false;
-    }
-    // The faces of each body at each edge; a body that ends open has an edge of one face, or of
-    // two in one direction.
-    std::vector<std::tuple<Index, Index, bool>> uses;
-    for (Index h = 0; h < triangles_.size(); ++h) {
-      const Index from = placeOf(h), to = placeOf(nextSide(h));
-      if (from != to) uses.emplace_back(edgeOf_[h], bodyOf_[h / 3], from < to);
+      if (placeOf(h) != placeOf(nextSide(h))) uses.emplace_back(edgeOf_[h], bodyOf_[h / 3], h);
     }
     std::sort(uses.begin(), uses.end());
+    std::vector<bool> isKept = isSeveral_;
+    const auto edgeOfBody = [&](std::size_t i) {
+      return std::pair(std::get<0>(uses[i]), std::get<1>(uses[i]));
+    };
     for (std::size_t i = 0, end; i < uses.size(); i = end) {
-      const auto [edge, body, isForth] = uses[i];
-      for (end = i + 1; end < uses.size() && std::get<0>(uses[end]) == edge &&
-                        std::get<1>(uses[end]) == body;) {
-        ++end;
+      for (end = i + 1; end < uses.size() && edgeOfBody(end) == edgeOfBody(i);) ++end;
+      const Index h = std::get<2>(uses[i]), last = std::get<2>(uses[end - 1]);
+      const bool isSimple = end - i == 2 && placeOf(h) != placeOf(last);
+      if (!isSimple) isKept[rootOf(cluster_, h / 3)] = false;
+    }
+    for (Index f = 0; f < bodyOf_.size(); ++f) {
+      if (!isKept[rootOf(cluster_, f)]) bodyOf_[f] = kNoIndex;
+    }
+    return std::find(isKept.begin(), isKept.end(), true) != isKept.end();
+  }
+
+  /// Gives the faces of each body vertices that no other face has. Returns those they copy.
+  std::vector<Index> copyShared() {
+    std::vector<std::tuple<Index, Index, Index>> uses;  // vertex, body, corner
+    for (Index h = 0; h < triangles_.size(); ++h) {
+      uses.emplace_back(triangles_[h], bodyOf_[h / 3], h);
+    }
+    std::sort(uses.begin(), uses.end());
+    std::vector<Index> copied;
+    for (std::size_t i = 1; i < uses.size(); ++i) {
+      const auto& [vertexBefore, bodyBefore, cornerBefore] = uses[i - 1];
+      const auto& [vertex, body, corner] = uses[i];
+      if (vertex != vertexBefore) continue;
+      if (body != bodyBefore) {
+        copied.push_back(vertex);
+        triangles_[corner] = static_cast<Index>(place_.size());
+        place_.push_back(place_[vertex]);
+      } else {
+        triangles_[corner] = triangles_[cornerBefore];
       }
-      if (end - i != 2 || isForth == std::get<2>(uses[i + 1])) isSimple[body] = false;
     }
-    for (Index& body : bodyOf_) {
-      if (!isSimple[body]) body = kNoIndex;
-    }
-    return std::find(isSimple.begin(), isSimple.end(), true) != isSimple.end();
+    return copied;
   }
 
   std::vector<Index> firstOfEach() const {
@@ -125,19 +148,19 @@ class BodyFinder {
     return first;
   }
 
-  std::span<const Index> triangles_;
-  const std::vector<Index>& place_;
+  std::vector<Index>& triangles_;
+  std::vector<Index>& place_;
   std::vector<Index> edgeOf_;          ///< of each halfedge
   std::vector<Index> cluster_;         ///< of each face, on the way to one of its cluster
+  std::vector<bool> isSeveral_;        ///< of each cluster, at its root: whether it has bodies
   std::vector<std::ptrdiff_t> forth_;  ///< of each edge: faces along it less those against it
   std::vector<Index> bodyOf_;          ///< of each face; kNoIndex: of none
 };
 
 }  // namespace
 
-std::vector<Index> firstInBody(std::span<const Index> triangles, const std::vector<Index>& place,
-                               CornerSharing sharing) {
-  return BodyFinder(triangles, place).run(sharing);
+Bodies separateBodies(std::vector<Index>& triangles, std::vector<Index>& place) {
+  return BodyFinder(triangles, place).run();
 }
 
 }  // namespace girth::prepare
