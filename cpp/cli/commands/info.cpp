@@ -50,12 +50,20 @@ std::string jsonOf(const std::array<double, 3>& numbers) {
   return list.text();
 }
 
+/// So many components are listed; of more the number is said.
+constexpr Index kListedComponents = 10;
+
 std::string joinedGenera(const SurfaceMesh& mesh) {
   std::string text;
-  for (Index c = 0; c < mesh.componentCount(); ++c) {
-    text += (c == 0 ? "" : ", ") + std::to_string(mesh.genus(c));
+  std::size_t sum = 0;
+  const Index count = mesh.componentCount();
+  for (Index c = 0; c < count; ++c) {
+    sum += mesh.genus(c);
+    if (c < kListedComponents) text += (c == 0 ? "" : ", ") + std::to_string(mesh.genus(c));
   }
-  return text;
+  if (count <= kListedComponents) return text;
+  return text + " and " + std::to_string(count - kListedComponents) + " more, " +
+         std::to_string(sum) + " in all";
 }
 
 void printJson(const std::string& file, const io::LoadedMesh& loaded) {
@@ -162,15 +170,15 @@ void printText(const std::string& file, const io::LoadedMesh& loaded) {
   for (const std::string& note : loaded.notes) row("note", note);
   if (const std::string note = crackNote(report); !note.empty()) row("note", note);
   for (const std::string& step : stepsDone(report, unit)) row("done", step);
-  constexpr std::size_t kShown = 10;
   if (loaded.parts.size() > 1) {
-    for (std::size_t i = 0; i < std::min(kShown, loaded.parts.size()); ++i) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(kListedComponents, loaded.parts.size());
+         ++i) {
       row(i == 0 ? "by component" : "",
           std::to_string(i) + ": " + counted(loaded.parts[i].faces, "face", "faces") + ", area " +
               readable(loaded.parts[i].area) + areaSuffix(loaded.unit));
     }
-    if (loaded.parts.size() > kShown) {
-      row("", "and " + std::to_string(loaded.parts.size() - kShown) + " more");
+    if (loaded.parts.size() > kListedComponents) {
+      row("", "and " + std::to_string(loaded.parts.size() - kListedComponents) + " more");
     }
   }
 }
