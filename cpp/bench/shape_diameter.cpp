@@ -87,7 +87,7 @@ void compare(const std::string& name, const SurfaceMesh& mesh) {
                       field = girth::shapeDiameter(mesh, options, context).value();
                     }));
 #ifdef GIRTH_WITH_CGAL
-    Theirs now = byCgal(mesh, options.coneAngle);
+    Theirs now = byCgal(mesh, options.coneRadians);
     if (now.seconds < theirs.seconds) theirs = std::move(now);
 #endif
   }

@@ -41,7 +41,7 @@ val limbs(const JobSurface& surface, const val& girth, double stations, const va
   });
 }
 
-/// {girth, thickness}, or an error.
+/// {girth, shapeDiameter}, or an error.
 val thresholds(const JobSurface& surface, const val& fields) {
   return guarded([&] {
     const GirthAndDiameter values(fields);

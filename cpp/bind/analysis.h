@@ -51,7 +51,7 @@ inline Result<Limbs> limbsByGirth(const SurfaceMesh& mesh, const std::vector<dou
 
 /// `PartOptions` of types.ts.
 inline PartOptions partOptionsOf(const emscripten::val& options) {
-  return {{options["girth"].as<double>(), options["thickness"].as<double>()},
+  return {{options["girth"].as<double>(), options["shapeDiameter"].as<double>()},
           options["smoothing"].as<double>()};
 }
 

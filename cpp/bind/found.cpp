@@ -191,7 +191,7 @@ Content segmentsFile(const Asked& asked) {
   if (!tips) return tips.error();
   const val thresholds = asked.found["result"]["thresholds"];
   const PartOptions options{
-      {thresholds["girth"].as<double>(), thresholds["thickness"].as<double>()},
+      {thresholds["girth"].as<double>(), thresholds["shapeDiameter"].as<double>()},
       by["smoothing"].as<double>()};
   const auto segmented =
       io::segmentedModel(asked.loaded.mesh, necks.value().necks, kindsAgain(by["kinds"]), options,

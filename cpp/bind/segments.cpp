@@ -27,7 +27,7 @@ struct Division {
   Necks necks;
 };
 
-/// By {girth, diameter} and {minProminence, girth, thickness, smoothing}; a threshold that is
+/// By {girth, diameter} and {minProminence, girth, shapeDiameter, smoothing}; a threshold that is
 /// undefined is the suggested one.
 Result<Division> divisionOf(const SurfaceMesh& mesh, const val& fields, const val& options,
                             const ExecutionContext& context) {
@@ -37,7 +37,7 @@ Result<Division> divisionOf(const SurfaceMesh& mesh, const val& fields, const va
   PartThresholds& thresholds = kinds.thresholds;
   thresholds = suggestedThresholds(mesh, values.girth, values.diameter);
   for (const auto& [name, threshold] :
-       {std::pair{"girth", &thresholds.girth}, {"thickness", &thresholds.thickness}}) {
+       {std::pair{"girth", &thresholds.girth}, {"shapeDiameter", &thresholds.shapeDiameter}}) {
     if (const val wanted = options[name]; !wanted.isUndefined()) *threshold = wanted.as<double>();
   }
   auto parts = findParts(mesh, values.girth, values.diameter, kinds);

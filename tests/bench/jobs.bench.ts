@@ -66,7 +66,7 @@ async function measure(thousands: number): Promise<Turn[]> {
         areas: (mesh) => mesh.vertexAreas(),
         tips: (mesh) => mesh.tips(igf),
         thresholds: (mesh) => mesh.suggestedThresholds(igf, sdf),
-        parts: (mesh) => mesh.parts(igf, sdf, { girth: 2, thickness: 2 }),
+        parts: (mesh) => mesh.parts(igf, sdf, { girth: 2, shapeDiameter: 2 }),
         maxima: (mesh) => mesh.maxima(igf),
         'weak places': (mesh) =>
           mesh.printCheck({ igf, thickness }, { tubeDiameter: 0.5, wallThickness: 1.5 }),

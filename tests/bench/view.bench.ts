@@ -48,7 +48,7 @@ test('recolouring 100K vertices', async () => {
     const vertexCount = element.info!.vertexCount;
     const half = Uint32Array.from({ length: vertexCount / 2 }, (_, i) => 2 * i);
     const acts: [string, (step: number) => void][] = [
-      ['thresholds', (step) => element.setThresholds({ girth: 2 * step, thickness: 1 + step })],
+      ['thresholds', (step) => element.setThresholds({ girth: 2 * step, shapeDiameter: 1 + step })],
       ['marking half of them', (step) => element.mark(half.subarray(Math.round(1000 * step)))],
       ['no marks', () => element.mark()],
     ];

@@ -141,7 +141,7 @@ export async function draw(page: Page, drawing: Drawing): Promise<Locator> {
         });
       },
       vertexAreas: () => count('areas', new Float64Array(vertexCount).fill(4 / vertexCount)),
-      suggestedThresholds: () => count('thresholds', { girth: 1, thickness: 1 }),
+      suggestedThresholds: () => count('thresholds', { girth: 1, shapeDiameter: 1 }),
       parts: () =>
         count('parts', {
           kinds: Uint8Array.from(drawing.smoothed ?? []),

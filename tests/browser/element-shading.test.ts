@@ -322,7 +322,7 @@ describe('parts', () => {
     await legendSays(viewer, 'tube');
     expect(await viewer.evaluate((element: GirthViewer) => element.thresholds)).toEqual({
       girth: 1,
-      thickness: 1,
+      shapeDiameter: 1,
       smoothing: 0,
     });
     const [body, tube, plate, unknown] = partKinds.map(({ colour }) => colour);
@@ -333,13 +333,13 @@ describe('parts', () => {
     expect(isGrey(begun[3]!)).toBe(true);
     expect(unknown).not.toBe(body);
     const moved = await viewer.evaluate((element: GirthViewer) =>
-      element.setThresholds({ girth: 1.7, thickness: 1.7 }),
+      element.setThresholds({ girth: 1.7, shapeDiameter: 1.7 }),
     );
     expect(moved).toBeUndefined();
     const after = await pixelsAt(viewer, corners);
     for (const pixel of after.slice(0, 3)) expectHue(pixel, tube!);
     await viewer.evaluate((element: GirthViewer) =>
-      element.setThresholds({ girth: Infinity, thickness: 0 }),
+      element.setThresholds({ girth: Infinity, shapeDiameter: 0 }),
     );
     for (const pixel of (await pixelsAt(viewer, corners)).slice(0, 3)) expectHue(pixel, body!);
     expect(await timesAsked(page, 'parts')).toBe(0);
@@ -351,7 +351,7 @@ describe('parts', () => {
     await set(viewer, 'field', 'parts');
     await legendSays(viewer, 'tube');
     await viewer.evaluate((element: GirthViewer) =>
-      element.setThresholds({ girth: 1.231, thickness: 1 }),
+      element.setThresholds({ girth: 1.231, shapeDiameter: 1 }),
     );
     const [left, right] = await pixelsAt(viewer, [
       [0.215, -0.5],
@@ -366,7 +366,7 @@ describe('parts', () => {
     await set(viewer, 'field', 'parts');
     await legendSays(viewer, 'tube');
     await viewer.evaluate((element: GirthViewer) =>
-      element.setThresholds({ girth: 1, thickness: 1, smoothing: 2 }),
+      element.setThresholds({ girth: 1, shapeDiameter: 1, smoothing: 2 }),
     );
     await expect
       .poll(async () => {
@@ -382,7 +382,7 @@ describe('parts', () => {
     const refused = await viewer.evaluate((element: GirthViewer) =>
       [NaN, -1].map((girth) => {
         try {
-          element.setThresholds({ girth, thickness: 1 });
+          element.setThresholds({ girth, shapeDiameter: 1 });
           return 'taken';
         } catch (error) {
           return String(error);

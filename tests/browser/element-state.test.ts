@@ -82,7 +82,7 @@ test('HTML says which loops are pinned, which tips drawn, where parts begin and 
     distance: expect.closeTo(6, 9) as number,
     target: [0.1, 0, 0],
   });
-  expect(shown.thresholds).toEqual({ girth: 30, thickness: 10, smoothing: 0 });
+  expect(shown.thresholds).toEqual({ girth: 30, shapeDiameter: 10, smoothing: 0 });
   await expect.poll(async () => (await stateOf(viewer)).tips).toBe('all #2');
   expect(await viewer.locator('.legend').isVisible()).toBe(false);
   expect(await viewer.locator('.bar-tools').isVisible()).toBe(false);

@@ -293,7 +293,7 @@ test('a handle is opened and nothing falls off; what cannot be cut is refused', 
 });
 
 interface WrittenSegments {
-  thresholds: { girth: number; thickness: number };
+  thresholds: { girth: number; shapeDiameter: number };
   crossing: number[];
   segments: {
     area: number;
@@ -319,10 +319,14 @@ test('segments, their labels, kinds and tips, and their files are those of the c
       const bytes = await mesh.exportSegments(igf, sdf, format, { minProminence: 0.1 });
       files[format] = [...bytes].map((b) => String.fromCharCode(b)).join('');
     }
-    const limits = { girth: Infinity, thickness: Infinity };
+    const limits = { girth: Infinity, shapeDiameter: Infinity };
     const tubes = await mesh.segments(igf, sdf, { minProminence: 0.1, ...limits });
     // The narrowest neck has infinite prominence.
-    const bodies = await mesh.segments(igf, sdf, { minProminence: 1e9, girth: 0, thickness: 0 });
+    const bodies = await mesh.segments(igf, sdf, {
+      minProminence: 1e9,
+      girth: 0,
+      shapeDiameter: 0,
+    });
     const stop = new AbortController();
     const stopped = girth.refusal(mesh.segments(igf, sdf, { signal: stop.signal }));
     stop.abort();
@@ -331,7 +335,7 @@ test('segments, their labels, kinds and tips, and their files are those of the c
       await girth.refusal(mesh.segments(sdf, igf)),
       await girth.refusal(mesh.segments(igf, sdf, { minProminence: -1 })),
       await girth.refusal(mesh.segments(igf, sdf, { girth: NaN })),
-      await girth.refusal(mesh.segments(igf, sdf, { thickness: -1 })),
+      await girth.refusal(mesh.segments(igf, sdf, { shapeDiameter: -1 })),
       await girth.refusal(mesh.segments(igf, sdf, { smoothing: NaN })),
     ];
     const { area, faceCount } = mesh.info;

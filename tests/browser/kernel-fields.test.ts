@@ -66,14 +66,14 @@ for (const mode of ['threads', 'pool'] as const) {
       ['sdf', {}, [], '30 rays'],
       [
         'sdf',
-        { sdf: { rays: 7, coneAngle: Math.PI / 2 } },
+        { sdf: { rays: 7, coneRadians: Math.PI / 2 } },
         ['--rays', '7', '--cone', '90'],
         '7 rays',
       ],
       ['thickness', {}, [], 'sharp below 75 degrees'],
       [
         'thickness',
-        { thickness: { sharpAngle: Math.PI / 3 } },
+        { thickness: { sharpRadians: Math.PI / 3 } },
         ['--sharp', '60'],
         'sharp below 60 degrees',
       ],
@@ -488,9 +488,9 @@ for (const mode of ['threads', 'pool'] as const) {
             { rays: 0 },
             { rays: NaN },
             { rays: 1e9 },
-            { coneAngle: 0 },
-            { coneAngle: 4 },
-            { coneAngle: NaN },
+            { coneRadians: 0 },
+            { coneRadians: 4 },
+            { coneRadians: NaN },
           ];
           const result = [];
           for (const sdf of wrong) result.push(await girth.refusal(mesh.field('sdf', { sdf })));
@@ -509,7 +509,7 @@ for (const mode of ['threads', 'pool'] as const) {
       const tips = JSON.parse(written(bulbs, 'json', 'tips')) as Written;
       const parts = JSON.parse(written(bulbs, 'json', 'parts')) as Written;
       const places = JSON.parse(
-        written(bulbs, 'json', 'parts', '--girth', '2', '--thickness', '1'),
+        written(bulbs, 'json', 'parts', '--girth', '2', '--shape-diameter', '1'),
       ) as Written;
       const weakest = ['--min-tube', '0.5', '--min-wall', '0.1'];
       const weakPlaces = JSON.parse(written(bulbs, 'json', 'parts', ...weakest)) as Written;
@@ -519,7 +519,7 @@ for (const mode of ['threads', 'pool'] as const) {
         const [igf, sdf] = [await mesh.field('igf'), await mesh.field('sdf')];
         const suggested = await mesh.suggestedThresholds(igf, sdf);
         const json = (bytes: Uint8Array) => JSON.parse(new TextDecoder().decode(bytes)) as Written;
-        const chosen = { girth: 2, thickness: 1 };
+        const chosen = { girth: 2, shapeDiameter: 1 };
         const areas = await mesh.vertexAreas();
         const limits = { tubeDiameter: 0.5, wallThickness: 0.1 };
         const thickness = await mesh.field('thickness');
@@ -537,9 +537,11 @@ for (const mode of ['threads', 'pool'] as const) {
           contours: new TextDecoder().decode(await mesh.exportTips(igf, 'obj')),
           csv: new TextDecoder().decode(await mesh.exportFields([igf, sdf], 'csv')).split('\n')[0],
           refusals: [
-            await girth.refusal(mesh.parts(igf, sdf, { girth: NaN, thickness: 1 })),
-            await girth.refusal(mesh.parts(igf, sdf, { girth: 1, thickness: -1 })),
-            await girth.refusal(mesh.parts(igf, sdf, { girth: 1, thickness: 1, smoothing: -1 })),
+            await girth.refusal(mesh.parts(igf, sdf, { girth: NaN, shapeDiameter: 1 })),
+            await girth.refusal(mesh.parts(igf, sdf, { girth: 1, shapeDiameter: -1 })),
+            await girth.refusal(
+              mesh.parts(igf, sdf, { girth: 1, shapeDiameter: 1, smoothing: -1 }),
+            ),
             await girth.refusal(mesh.printCheck({}, { tubeDiameter: -1, wallThickness: 0 })),
             await girth.refusal(mesh.exportFields([igf, sdf], 'npy')),
             await girth.refusal(mesh.exportFields([igf, igf], 'csv')),

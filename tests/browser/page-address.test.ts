@@ -97,7 +97,7 @@ test('thresholds and their smoothing are in a link only where they were chosen',
   await expect
     .poll(() => page.locator('#parts-girth').inputValue(), { timeout: 60_000 })
     .toBe('0.2');
-  expect(await page.locator('#parts-thickness').inputValue()).toBe('0.05');
+  expect(await page.locator('#parts-shapeDiameter').inputValue()).toBe('0.05');
   expect(await page.locator('#smoothing').inputValue()).toBe('1');
   await page.locator('#smoothing').selectOption('0');
   await page.locator('#automatic').click();

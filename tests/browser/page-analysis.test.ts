@@ -91,12 +91,12 @@ test('thresholds by number, by dragging in the plot, by slider; automatic again'
 
   await girth.fill('0.2');
   await girth.press('Enter');
-  await page.locator('#parts-thickness').fill('0.05');
-  await page.locator('#parts-thickness').press('Enter');
+  await page.locator('#parts-shapeDiameter').fill('0.05');
+  await page.locator('#parts-shapeDiameter').press('Enter');
   const thresholds = () =>
     viewer.evaluate((element: GirthViewer) => [
       element.thresholds!.girth,
-      element.thresholds!.thickness,
+      element.thresholds!.shapeDiameter,
     ]);
   expect(await thresholds()).toEqual([0.2, 0.05]);
   const counts = () =>

@@ -75,21 +75,23 @@ test('through the element: wrong numbers and fields that are not computed', asyn
       }
     };
     // Nobody has asked for it yet: no values, but no failure either; and asking computes it.
-    const thickness = element.values('sdf');
+    const diameters = element.values('sdf');
     return {
-      negative: await words(() => element.setThresholds({ girth: -1, thickness: 1 })),
-      nan: await words(() => element.setThresholds({ girth: NaN, thickness: 1 })),
+      negative: await words(() => element.setThresholds({ girth: -1, shapeDiameter: 1 })),
+      nan: await words(() => element.setThresholds({ girth: NaN, shapeDiameter: 1 })),
       smoothing: await words(() =>
-        element.setThresholds({ girth: 1, thickness: 1, smoothing: -0.5 }),
+        element.setThresholds({ girth: 1, shapeDiameter: 1, smoothing: -0.5 }),
       ),
-      infinite: await words(() => element.setThresholds({ girth: Infinity, thickness: Infinity })),
-      parts: await words(() => element.parts({ girth: NaN, thickness: 1 })),
+      infinite: await words(() =>
+        element.setThresholds({ girth: Infinity, shapeDiameter: Infinity }),
+      ),
+      parts: await words(() => element.parts({ girth: NaN, shapeDiameter: 1 })),
       weak: await words(() => element.printCheck({ tubeDiameter: -1, wallThickness: 1 })),
       name: await words(() => element.values('depth' as 'sdf')),
       compute: await words(() => element.fieldOf('depth' as 'sdf')),
       maxima: await words(() => element.maxima('depth' as 'sdf')),
       vertex: await words(() => element.loop(1e6)),
-      unasked: [thickness.length, thickness.every(Number.isNaN)],
+      unasked: [diameters.length, diameters.every(Number.isNaN)],
       tips: await words(async () => element.exportTips('json')),
       computed: (await element.fieldOf('sdf')).withoutValue,
     };
@@ -122,7 +124,7 @@ test('a surface that is inside out: no thickness, and what to do', async () => {
   await openPanel(page, 'parts');
   await expect
     .poll(() => partsWords(page).textContent())
-    .toMatch(/^The surface is inside out: .* No vertex has both a girth and a thickness\.$/);
+    .toMatch(/^The surface is inside out: .* No vertex has both a girth and a shape diameter\.$/);
   expect(await page.locator('#parts-panel .controls').isVisible()).toBe(false);
   expect(await check(page, '1', '1')).toMatch(
     /^Not checked: no vertex has a thickness.*turn its faces outwards\.$/,

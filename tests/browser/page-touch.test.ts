@@ -1,4 +1,4 @@
-// Plots by finger, as by mouse: the brush on the histogram, the thresholds in the plot of girth and thickness.
+// Plots by finger, as by mouse: the brush on the histogram, the thresholds in the plot of girth and shape diameter.
 
 import type { CDPSession, Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
@@ -129,14 +129,14 @@ test('thresholds follow a finger, each by its line and both by their cross', asy
   await panel.locator('.controls').waitFor({ timeout: 60_000 });
   await page.locator('#parts-girth').fill('0.2');
   await page.locator('#parts-girth').press('Enter');
-  await page.locator('#parts-thickness').fill('0.05');
-  await page.locator('#parts-thickness').press('Enter');
+  await page.locator('#parts-shapeDiameter').fill('0.05');
+  await page.locator('#parts-shapeDiameter').press('Enter');
   const plot = panel.locator('.scatter');
   await plot.evaluate((element) => element.scrollIntoView({ block: 'center' }));
   const thresholds = () =>
     viewer.evaluate((element: GirthViewer): Place => [
       element.thresholds!.girth,
-      element.thresholds!.thickness,
+      element.thresholds!.shapeDiameter,
     ]);
   const middle = async (selector: string): Promise<Place> => {
     const box = (await panel.locator(selector).boundingBox())!;

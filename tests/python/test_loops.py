@@ -50,10 +50,10 @@ def test_necks_are_those_of_the_command(command, model):
 
 def test_segments_are_those_of_the_command(command, model):
     mesh = pygirth.load(model)
-    found = mesh.segments(girth=9, thickness=3)
-    wanted = command("segments", model, "--girth", 9, "--thickness", 3, as_json=True)
+    found = mesh.segments(girth=9, shape_diameter=3)
+    wanted = command("segments", model, "--girth", 9, "--shape-diameter", 3, as_json=True)
     assert len(found) == len(wanted["segments"]) == 3
-    assert (found.girth, found.thickness) == (9, 3)
+    assert (found.girth, found.shape_diameter) == (9, 3)
     assert found.crossing == wanted["crossing"] == []
     assert found.labels.tolist() == wanted["faces"]
     cut = mesh.cut(mesh.necks())

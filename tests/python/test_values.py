@@ -139,10 +139,23 @@ def test_vertices_of_results_are_rows_all_copies_among_them():
 
 def test_parts_cover_the_mesh():
     mesh = pygirth.Mesh(*torus())
-    parts = mesh.parts(girth=7.0, thickness=3.0)
+    parts = mesh.parts(girth=7.0, shape_diameter=3.0)
     assert len(parts) == 1 and parts[0].kind == "tube" and (parts.labels == 0).all()
-    assert (parts.girth, parts.thickness) == (7.0, 3.0)
+    assert (parts.girth, parts.shape_diameter) == (7.0, 3.0)
     np.testing.assert_allclose(parts[0].area, mesh.area, rtol=1e-9)
+
+
+def test_the_shape_diameter_has_its_older_name_too():
+    mesh = pygirth.Mesh(*torus())
+    with pytest.warns(DeprecationWarning, match="older name of shape_diameter"):
+        parts = mesh.parts(girth=7.0, thickness=3.0)
+    with pytest.warns(DeprecationWarning, match="older name of shape_diameter"):
+        assert parts.thickness == parts.shape_diameter == 3
+    with pytest.warns(DeprecationWarning, match="older name of median_shape_diameter"):
+        assert parts[0].median_thickness == parts[0].median_shape_diameter
+    with pytest.raises(pygirth.InputError, match="state one"):
+        mesh.segments(shape_diameter=3, thickness=3)
+    assert not hasattr(parts[0], "shape_radius")
 
 
 def test_other_triangles_of_the_same_surface():

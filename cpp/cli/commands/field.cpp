@@ -330,8 +330,8 @@ Run add(OptionTable& table) {
       "drawn: pi on a closed geodesic. hks, sihks and wks for comparing shapes however they are "
       "bent. Of 9,000 triangles, with one processor, sdf took 0.05 s, angle 1.4 s, the "
       "signatures 2.3 s, geoaverage and geofarthest 7.7 s.");
-  table.example("girth field model.glb --field sdf -o thickness.csv",
-                "How thick the body is behind every vertex.");
+  table.example("girth field model.glb --field thickness -o thickness.csv",
+                "How thick the body is at every vertex.");
   table.example("girth field model.glb --field distance --from 12,88 -o distance.csv",
                 "How far each vertex is from the nearer of two; --from points.csv: of a file's.");
   table.example("girth field model.glb --field hks --maxima 10",

@@ -57,7 +57,7 @@ void printParts(const std::string& model, const io::LoadedMesh& loaded, const Pa
   const std::string unit = unitSuffix(loaded.unit);
   std::printf("%s: %zu part%s; thin: shape diameter below %s%s; tubes: girth below %s%s%s\n",
               model.c_str(), parts.parts.size(), parts.parts.size() == 1 ? "" : "s",
-              readable(options.thresholds.thickness).c_str(), unit.c_str(),
+              readable(options.thresholds.shapeDiameter).c_str(), unit.c_str(),
               readable(options.thresholds.girth).c_str(), unit.c_str(),
               persistenceText(persistence, loaded).c_str());
   std::printf("  %4s %-8s %12s %12s %12s %12s  %s\n", "part", "kind", "area", "girth", "diameter",
@@ -67,7 +67,7 @@ void printParts(const std::string& model, const io::LoadedMesh& loaded, const Pa
     std::printf("  %4zu %-8s %12s %12s %12s %12s  %s\n", i,
                 std::string(toString(part.kind)).c_str(), readable(part.area).c_str(),
                 readableOrDash(part.medianGirth).c_str(),
-                readableOrDash(part.medianThickness).c_str(),
+                readableOrDash(part.medianShapeDiameter).c_str(),
                 part.kind == PartKind::Tube ? readable(part.equivalentRadius()).c_str() : "-",
                 vertexText(loaded, part.thinnest).c_str());
   }
@@ -165,7 +165,7 @@ std::string verticesFor(const Options& options, const io::LoadedMesh& loaded,
 struct Wanted {
   PartOptions parts;
   /// τ1 and τ2 where they are given.
-  std::optional<double> girth, thickness;
+  std::optional<double> girth, shapeDiameter;
   PrintLimits limits;
   /// The girth's persistence.
   double persistence{0};
@@ -177,9 +177,9 @@ Result<Wanted> wantedOf(const Options& options, const io::LoadedMesh& model) {
   Wanted wanted;
   wanted.parts.smoothing = options.smoothing;
   wanted.checks = !options.minTube.empty() || !options.minWall.empty() || !options.minGap.empty();
-  double girth = 0, thickness = 0;
+  double girth = 0, shapeDiameter = 0;
   for (const auto& [text, length] : {std::pair{&options.girth, &girth},
-                                     {&options.diameter, &thickness},
+                                     {&options.diameter, &shapeDiameter},
                                      {&options.minTube, &wanted.limits.tubeDiameter},
                                      {&options.minWall, &wanted.limits.wallThickness},
                                      {&options.minGap, &wanted.limits.gap}}) {
@@ -189,7 +189,7 @@ Result<Wanted> wantedOf(const Options& options, const io::LoadedMesh& model) {
   if (!persistence) return persistence.error();
   wanted.persistence = persistence.value();
   if (!options.girth.empty()) wanted.girth = girth;
-  if (!options.diameter.empty()) wanted.thickness = thickness;
+  if (!options.diameter.empty()) wanted.shapeDiameter = shapeDiameter;
   return wanted;
 }
 
@@ -251,7 +251,7 @@ Result<Parts> divide(const io::LoadedMesh& model, Wanted& wanted, Fields& fields
   const std::vector<double>&girth = fields.girth->values, &diameter = fields.diameter->values;
   wanted.parts.thresholds = suggestedThresholds(model.mesh, girth, diameter);
   if (wanted.girth) wanted.parts.thresholds.girth = *wanted.girth;
-  if (wanted.thickness) wanted.parts.thresholds.thickness = *wanted.thickness;
+  if (wanted.shapeDiameter) wanted.parts.thresholds.shapeDiameter = *wanted.shapeDiameter;
   return findParts(model.mesh, girth, diameter, wanted.parts);
 }
 

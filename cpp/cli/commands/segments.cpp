@@ -23,7 +23,7 @@ namespace {
 
 struct Options : MeasuringOptions {
   /// Lengths as typed, with or without a unit. Empty: suggested by the model.
-  std::string minProminence, girth, thickness;
+  std::string minProminence, girth, shapeDiameter;
   double smoothing{0};
 };
 
@@ -39,7 +39,7 @@ Result<io::SegmentedModel> compute(const Options& options, const io::LoadedMesh&
   kinds.smoothing = options.smoothing;
   PartThresholds typed;
   for (const auto& [text, length] :
-       {std::pair{&options.girth, &typed.girth}, {&options.thickness, &typed.thickness}}) {
+       {std::pair{&options.girth, &typed.girth}, {&options.shapeDiameter, &typed.shapeDiameter}}) {
     if (auto error = readLength(*text, loaded.unit, *length)) return *std::move(error);
   }
   auto found = computeTips(options.model, mesh, 0, options.threads);
@@ -50,7 +50,7 @@ Result<io::SegmentedModel> compute(const Options& options, const io::LoadedMesh&
   PartThresholds& thresholds = kinds.thresholds;
   thresholds = suggestedThresholds(mesh, girth, diameter.value().values);
   if (!options.girth.empty()) thresholds.girth = typed.girth;
-  if (!options.thickness.empty()) thresholds.thickness = typed.thickness;
+  if (!options.shapeDiameter.empty()) thresholds.shapeDiameter = typed.shapeDiameter;
   const auto parts = findParts(mesh, girth, diameter.value().values, kinds);
   if (!parts) return parts.error();
 
@@ -103,7 +103,7 @@ Run add(OptionTable& table) {
   addProminenceOption(table, options->minProminence, "Divide at necks of at least this prominence");
   addLengthOption(table, "--girth LENGTH", options->girth,
                   "Tubes have a girth below this length (tau 1)");
-  addLengthOption(table, "--shape-diameter LENGTH", options->thickness,
+  addLengthOption(table, "--shape-diameter LENGTH", options->shapeDiameter,
                   "Tubes and plates have a shape diameter below this length (tau 2)")
       .formerly("--thickness");
   table

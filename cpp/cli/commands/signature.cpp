@@ -121,7 +121,7 @@ Run add(OptionTable& table) {
   table.example("girth signature a.obj -o a.csv",
                 "The histogram of the girth: descriptor, low, high, share, cumulative.");
   table.example("girth signature a.obj --descriptors igf,sdf --bins 64 -o a.json",
-                "Girth and thickness, in 64 bins each.");
+                "Girth and shape diameter, in 64 bins each.");
   return [options] { return run(*options); };
 }
 

@@ -85,7 +85,7 @@ struct LimbOptions {
 ///
 /// The ring at distance t from the apex is the level curve of the distance, that part of it which
 /// lies before the main part of what is farther away. The limb ends at the ring where its length
-/// exceeds its thickness (the ring's length by π) by most, or before, where the ring is no ring any
+/// exceeds its diameter (the ring's length by π) by most, or before, where the ring is no ring any
 /// more or loops do not go round the limb.
 ///
 /// Distances are exact at vertices (GeodesicSolver) and linear within faces, so rings are off by

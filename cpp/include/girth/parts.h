@@ -1,4 +1,4 @@
-// Tubes, plates and body: the parts of a shape by its girth and its thickness.
+// Tubes, plates and body: the parts of a shape by its girth and its shape diameter.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,19 @@ enum class PartKind : std::uint8_t {
   Body,     ///< thick
   Tube,     ///< thin, and a short loop goes round it
   Plate,    ///< thin, but no short loop goes round it
-  Unknown,  ///< its girth or its thickness has no value
+  Unknown,  ///< its girth or its shape diameter has no value
 };
 
 /// "body", "tube", "plate" or "unknown".
 GIRTH_EXPORT std::string_view toString(PartKind kind);
 
-/// The paper's τ1 and τ2, in model units: plate = {I > girth, SDF < thickness}, tube = {I < girth,
-/// SDF < thickness}, body the rest.
+/// The paper's τ1 and τ2, in model units: plate = {I > girth, SDF < shapeDiameter},
+/// tube = {I < girth, SDF < shapeDiameter}, body the rest.
 struct PartThresholds {
   /// τ1: tubes have a smaller girth, in model units.
   double girth{0};
-  /// τ2: tubes and plates are thinner, in model units.
-  double thickness{0};
+  /// τ2: tubes and plates have a smaller shape diameter, in model units.
+  double shapeDiameter{0};
 };
 
 /// A place to start from, by the joint distribution of the two fields over the surface's area.
@@ -38,9 +38,9 @@ struct PartThresholds {
 /// Where they hardly differ (the variance between them is less than 4/5 of the whole; it is 3/4
 /// where values are spread evenly), there is no division to be found, all counts as thin, and τ2
 /// lies above every value. τ1 divides the logarithm of I over what is thin in the same way; where
-/// there is no division, it is 2π times the median thickness of what is thin: the girth is π times
-/// the thickness in a round tube and 4 times in a square one, and 2π times in a bar 2.1 times as
-/// wide as thick. Both are 0 where no vertex has both values.
+/// there is no division, it is 2π times the median shape diameter of what is thin: the girth is π
+/// times the diameter of a round tube, 4 times the width of a square one, and 2π times that of a
+/// bar 2.1 times as wide as thick. Both are 0 where no vertex has both values.
 GIRTH_EXPORT PartThresholds suggestedThresholds(const SurfaceMesh& mesh,
                                                 std::span<const double> girth,
                                                 std::span<const double> diameter);
@@ -62,8 +62,8 @@ struct GIRTH_EXPORT Part {
   double area{0};                 ///< sum of the vertices' areas, in squared model units
   /// Median of the girth over the region, in model units; NaN where it is unknown.
   double medianGirth{0};
-  /// Median of the thickness over the region, in model units; NaN where it is unknown.
-  double medianThickness{0};
+  /// Median of the shape diameter over the region, in model units; NaN where it is unknown.
+  double medianShapeDiameter{0};
   /// Its thinnest place: the vertex with the least girth (tube), otherwise the least SDF; none
   /// where it is unknown. GirthSolver::loop gives the loop there.
   Vertex thinnest;

@@ -15,7 +15,7 @@ namespace girth {
 /// Which rays are sent.
 struct ShapeDiameterOptions {
   /// The full opening of the cone of rays, in radians, in (0, π).
-  double coneAngle{2.0943951023931953};  // 120°
+  double coneRadians{2.0943951023931953};  // 120°
   /// Rays sent from each vertex, 1 to 10,000.
   unsigned rays{30};
 };

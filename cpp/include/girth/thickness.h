@@ -26,7 +26,7 @@ struct ThicknessOptions {
   /// they face each other, and the thickness falls to 0 at their edge. Faces that lie at a blunter
   /// angle to each other do not: a cube is as thick at its edges as in the middle. Every convex
   /// body has faces that meet at 70.6° or less, if they meet.
-  double sharpAngle{1.3089969389957472};  // 75°
+  double sharpRadians{1.3089969389957472};  // 75°
   /// Which balls.
   ThicknessSide side{ThicknessSide::Inside};
 };
@@ -46,7 +46,7 @@ struct ThicknessField {
 
 /// The medial thickness of every vertex (web/docs/definitions.md, section 4, Definition 4.1): the
 /// diameter of the largest ball inside that touches the surface there, of the contacts that count
-/// for `options.sharpAngle`. It is exact to rounding on flat walls and in wedges; on curved ones,
+/// for `options.sharpRadians`. It is exact to rounding on flat walls and in wedges; on curved ones,
 /// whose normals at the vertices are means of those of the faces, to the square of the length of
 /// the edges. At an edge with a crease of more than 30° each side has its own ball; the smallest
 /// counts.

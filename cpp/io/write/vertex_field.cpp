@@ -51,7 +51,7 @@ std::string methodText(const ShapeDiameterOptions& options) {
 
 std::string methodText(const ThicknessOptions& options) {
   // Radians cannot hold most degrees exactly.
-  const double degrees = std::round(1e6 * options.sharpAngle * 180 / std::numbers::pi) / 1e6;
+  const double degrees = std::round(1e6 * options.sharpRadians * 180 / std::numbers::pi) / 1e6;
   return "sharp below " + formatNumber(degrees) + " degrees";
 }
 

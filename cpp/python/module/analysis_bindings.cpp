@@ -77,21 +77,23 @@ Result<FoundParts> partsOf(const Surface& surface, PartOptions options, double p
   const PartThresholds suggested =
       suggestedThresholds(surface.mesh(), girth.value()->values, *diameter.value());
   if (options.thresholds.girth < 0) options.thresholds.girth = suggested.girth;
-  if (options.thresholds.thickness < 0) options.thresholds.thickness = suggested.thickness;
+  if (options.thresholds.shapeDiameter < 0) {
+    options.thresholds.shapeDiameter = suggested.shapeDiameter;
+  }
   auto parts = findParts(surface.mesh(), girth.value()->values, *diameter.value(), options);
   if (!parts) return parts.error();
   return FoundParts{options.thresholds, std::move(parts).value()};
 }
 
-/// (threshold of the girth, of the thickness, part of each vertex, parts)
-py::tuple partsByThresholds(const Shared& surface, double girth, double thickness, double smoothing,
-                            double persistence, const Running& running) {
-  const PartOptions options{{girth, thickness}, smoothing};
+/// (threshold of the girth, of the shape diameter, part of each vertex, parts)
+py::tuple partsByThresholds(const Shared& surface, double girth, double shapeDiameter,
+                            double smoothing, double persistence, const Running& running) {
+  const PartOptions options{{girth, shapeDiameter}, smoothing};
   const auto found = compute<FoundParts>(
       running, [surface, options, persistence](const ExecutionContext& context) {
         return partsOf(*surface, options, persistence, context);
       });
-  return py::make_tuple(found.thresholds.girth, found.thresholds.thickness,
+  return py::make_tuple(found.thresholds.girth, found.thresholds.shapeDiameter,
                         numberArray(found.parts.partOf),
                         listOf(surface->loaded(), found.parts.parts));
 }
@@ -116,11 +118,11 @@ Result<io::SegmentedModel> segmentsAtNecks(const Surface& surface, double minPro
                             quiet);
 }
 
-/// (threshold of the girth, of the thickness, part of each face of the input, segments, necks that
-/// were passed over)
+/// (threshold of the girth, of the shape diameter, part of each face of the input, segments, necks
+/// that were passed over)
 py::tuple segmentsByNecks(const Shared& surface, double minProminence, double girth,
-                          double thickness, double smoothing, const Running& running) {
-  const PartOptions options{{girth, thickness}, smoothing};
+                          double shapeDiameter, double smoothing, const Running& running) {
+  const PartOptions options{{girth, shapeDiameter}, smoothing};
   const auto found = compute<io::SegmentedModel>(
       running, [surface, minProminence, options](const ExecutionContext& context) {
         return segmentsAtNecks(*surface, minProminence, options, context);
@@ -145,7 +147,7 @@ py::tuple segmentsByNecks(const Shared& surface, double minProminence, double gi
     segments.append(one);
   }
   const PartThresholds& used = found.kinds.thresholds;
-  return py::make_tuple(used.girth, used.thickness,
+  return py::make_tuple(used.girth, used.shapeDiameter,
                         numberArray(io::partOfFaces(surface->loaded(), found.model)), segments,
                         std::vector<Index>(found.crossing));
 }

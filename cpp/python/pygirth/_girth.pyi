@@ -110,7 +110,7 @@ def limbs(
 def parts(
     surface: Surface,
     girth: float,
-    thickness: float,
+    shape_diameter: float,
     smoothing: float,
     persistence: float,
     running: Running,
@@ -120,7 +120,7 @@ def segments(
     surface: Surface,
     min_prominence: float,
     girth: float,
-    thickness: float,
+    shape_diameter: float,
     smoothing: float,
     running: Running,
     /,

@@ -311,13 +311,13 @@ class Part(_Members):
     kind : str
         That of all its vertices. ``"body"``: Thick. ``"tube"``: Thin, and a short loop goes
         round it. ``"plate"``: Thin, but no short loop goes round it. ``"unknown"``: Its girth
-        or its thickness has no value.
+        or its shape diameter has no value.
     area : float
         Sum of the vertices' areas, in squared model units.
     median_girth : float
         Median of the girth over the region, in model units; NaN where it is unknown.
-    median_thickness : float
-        Median of the thickness over the region, in model units; NaN where it is unknown.
+    median_shape_diameter : float
+        Median of the shape diameter over the region, in model units; NaN where it is unknown.
     equivalent_radius : float
         Radius of the round tube with the same girth, I / 2π, in model units.
     thinnest : int
@@ -331,7 +331,7 @@ class Part(_Members):
     kind: str
     area: float
     median_girth: float
-    median_thickness: float
+    median_shape_diameter: float
     equivalent_radius: float
     thinnest: int
     vertices: np.ndarray

@@ -23,6 +23,7 @@ from pygirth._arguments import (
 )
 from pygirth._fields import Fields
 from pygirth._models import arrays_of, polydata_of
+from pygirth._result import warn_of_older
 from pygirth.errors import input_error
 from pygirth.results import (
     AxisLoop,
@@ -424,30 +425,33 @@ class Mesh(Analyses, Fields):
         self,
         *,
         girth: Optional[float] = None,
-        thickness: Optional[float] = None,
+        shape_diameter: Optional[float] = None,
         smoothing: float = 0.0,
         persistence: float = 0.0,
         threads: Optional[int] = None,
         progress: Progress = None,
+        thickness: Optional[float] = None,
     ) -> Parts:
-        """Tubes, plates and body, by girth and thickness.
+        """Tubes, plates and body, by girth and shape diameter.
 
         Parameters
         ----------
-        girth, thickness : float, optional
-            What is thin is thinner than `thickness`; of that, tubes have a girth below `girth`. In
+        girth, shape_diameter : float, optional
+            Tubes and plates have a smaller shape diameter; tubes have a smaller girth, too. In
             model units. Default: found from the two fields' distributions.
         smoothing : float, optional
             0: plain thresholds. Above: how much a vertex's neighbours count.
         persistence, threads, progress
             As of `igf`.
+        thickness : float, optional
+            The older name of `shape_diameter`, until 2.0.
 
         Returns
         -------
         Parts
             Largest area first.
         """
-        limits = _thresholds(girth, thickness)
+        limits = _thresholds(girth, shape_diameter, thickness)
         weight, tau = _not_negative(smoothing, "smoothing"), _persistence(persistence)
         found = _girth.parts(
             self._surface, *limits, weight, tau, running(threads, progress)
@@ -526,10 +530,11 @@ class Mesh(Analyses, Fields):
         *,
         min_prominence: float = 0.0,
         girth: Optional[float] = None,
-        thickness: Optional[float] = None,
+        shape_diameter: Optional[float] = None,
         smoothing: float = 0.0,
         threads: Optional[int] = None,
         progress: Progress = None,
+        thickness: Optional[float] = None,
     ) -> Segments:
         """The parts that the surface falls into at its necks, what they are, and their tips.
 
@@ -538,7 +543,7 @@ class Mesh(Analyses, Fields):
         min_prominence : float, optional
             As of `necks`: divides at necks of at least this prominence. Of necks that cross, the
             most prominent count.
-        girth, thickness, smoothing : float, optional
+        girth, shape_diameter, smoothing, thickness : float, optional
             As of `parts`: what is a tube, a plate or body.
         threads, progress
             As of `igf`.
@@ -549,7 +554,7 @@ class Mesh(Analyses, Fields):
             Those of the command ``girth segments --min-prominence 0``, to the bit.
         """
         least = _not_negative(min_prominence, "min_prominence")
-        limits = _thresholds(girth, thickness)
+        limits = _thresholds(girth, shape_diameter, thickness)
         weight = _not_negative(smoothing, "smoothing")
         found = _girth.segments(
             self._surface, least, *limits, weight, running(threads, progress)
@@ -1144,11 +1149,18 @@ def _is_point(value: Any) -> bool:
     return not isinstance(value, list) and np.ndim(value) == 0
 
 
-def _thresholds(girth: Optional[float], thickness: Optional[float]) -> list[float]:
+def _thresholds(
+    girth: Optional[float], shape_diameter: Optional[float], thickness: Optional[float]
+) -> list[float]:
     """Both thresholds of parts; -1 for one that is to be found."""
+    if thickness is not None:
+        if shape_diameter is not None:
+            raise input_error("USAGE", "thickness is the older name of shape_diameter: state one")
+        warn_of_older("thickness")
+        shape_diameter = thickness
     return [
         -1.0 if value is None else _not_negative(value, name)
-        for name, value in (("girth", girth), ("thickness", thickness))
+        for name, value in (("girth", girth), ("shape_diameter", shape_diameter))
     ]
 
 

@@ -647,18 +647,18 @@ class Parts(Result):
     parts : list of Part
     labels : ndarray of int64, shape (n,)
         For each row of ``mesh.vertices`` its part's number; -1 where the vertex was dropped.
-    girth, thickness : float
+    girth, shape_diameter : float
         The thresholds that were used, in model units.
     """
 
     def __init__(
-        self, mesh: "Mesh", girth: float, thickness: float, labels: np.ndarray, parts: list
+        self, mesh: "Mesh", girth: float, shape_diameter: float, labels: np.ndarray, parts: list
     ) -> None:
         self.mesh = mesh
         self.parts = [Part(part) for part in parts]
         self.labels = labels
         self.girth = girth
-        self.thickness = thickness
+        self.shape_diameter = shape_diameter
 
     def __len__(self) -> int:
         return len(self.parts)
@@ -714,7 +714,7 @@ class Segments(Result):
     labels : ndarray of int64, shape (m,)
         For each row of ``mesh.faces`` the segment that has most of its area; -1 where the face was
         dropped.
-    girth, thickness : float
+    girth, shape_diameter : float
         The thresholds by which kinds were told apart, in model units.
     crossing : list of int
         Numbers in ``mesh.necks()`` of those that were passed over, as they cross more prominent
@@ -725,7 +725,7 @@ class Segments(Result):
         self,
         mesh: "Mesh",
         girth: float,
-        thickness: float,
+        shape_diameter: float,
         labels: np.ndarray,
         segments: list,
         crossing: list,
@@ -734,7 +734,7 @@ class Segments(Result):
         self.segments = [Segment(segment) for segment in segments]
         self.labels = labels
         self.girth = girth
-        self.thickness = thickness
+        self.shape_diameter = shape_diameter
         self.crossing: list[int] = crossing
 
     def __len__(self) -> int:

@@ -101,7 +101,7 @@ Reach reachOf(const SurfaceMesh& mesh, std::span<const double> distances,
   return reach;
 }
 
-/// By how much a length exceeds the thickness of a ring: the diameter of the circle as long.
+/// By how much a length exceeds the diameter of the circle that is as long as a ring.
 double slenderness(double length, double ring) { return length - ring / kPi; }
 
 /// Where the limb ends; nothing where it is nowhere longer than it is thick, beyond `tipLength`.
@@ -171,13 +171,13 @@ class LimbMaker {
     if (!held.value()) return std::optional<Limb>{};
     const double halfWay = limb.length / 2;
     const RingGirth ring = ringsAt({&*held.value(), 1}).front();
-    const double thickness = ring.length / kPi;
+    const double diameter = ring.length / kPi;
     // At the far end of a whole body no loop holds, since a tip is there or a round end.
     const bool isWhole = limb.end == LimbEnd::Whole &&
                          limb.length - *held.value() <=
-                             std::max(thickness, ringsAt({&halfWay, 1}).front().length / kPi);
+                             std::max(diameter, ringsAt({&halfWay, 1}).front().length / kPi);
     if (!isWhole && *held.value() < limb.length) {
-      if (*held.value() <= thickness) return std::optional<Limb>{};
+      if (*held.value() <= diameter) return std::optional<Limb>{};
       // A loop reaches no farther than half its length: up to there it slips over the end itself.
       const bool isOverEnd = limb.end == LimbEnd::Splits || limb.end == LimbEnd::Handle;
       if (!isOverEnd || limb.length - *held.value() > ring.middles.front().girth / 2) {

@@ -64,7 +64,7 @@ Vertex leastOver(const std::vector<Vertex>& vertices, std::span<const double> fi
 
 PartKind kindOf(double girth, double diameter, const PartThresholds& thresholds) {
   if (std::isnan(girth) || std::isnan(diameter)) return PartKind::Unknown;
-  if (!(diameter < thresholds.thickness) || girth == thresholds.girth) return PartKind::Body;
+  if (!(diameter < thresholds.shapeDiameter) || girth == thresholds.girth) return PartKind::Body;
   return girth < thresholds.girth ? PartKind::Tube : PartKind::Plate;
 }
 
@@ -136,23 +136,23 @@ PartThresholds suggestedThresholds(const SurfaceMesh& mesh, std::span<const doub
 
   PartThresholds thresholds;
   const auto byDiameter = bestDivision(values, kClearDivision);
-  thresholds.thickness = byDiameter ? std::exp(*byDiameter) : kInfinity;
+  thresholds.shapeDiameter = byDiameter ? std::exp(*byDiameter) : kInfinity;
   double thickest = 0;
   std::vector<WeightedValue> thin;
-  std::vector<double> thicknesses;
+  std::vector<double> diameters;
   for (const Index v : known) {
     thickest = std::max(thickest, diameter[v]);
-    if (!(diameter[v] < thresholds.thickness)) continue;
+    if (!(diameter[v] < thresholds.shapeDiameter)) continue;
     thin.push_back({std::log(girth[v]), areas[v]});
-    thicknesses.push_back(diameter[v]);
+    diameters.push_back(diameter[v]);
   }
-  if (!byDiameter) thresholds.thickness = 1.01 * thickest;
+  if (!byDiameter) thresholds.shapeDiameter = 1.01 * thickest;
   if (const auto byGirth = bestDivision(std::move(thin), kClearDivision)) {
     thresholds.girth = std::exp(*byGirth);
     return thresholds;
   }
-  const auto middle = thicknesses.begin() + static_cast<std::ptrdiff_t>(thicknesses.size() / 2);
-  std::nth_element(thicknesses.begin(), middle, thicknesses.end());
+  const auto middle = diameters.begin() + static_cast<std::ptrdiff_t>(diameters.size() / 2);
+  std::nth_element(diameters.begin(), middle, diameters.end());
   thresholds.girth = 2 * kPi * *middle;
   return thresholds;
 }
@@ -161,7 +161,8 @@ Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
                         std::span<const double> diameter, const PartOptions& options) {
   if (auto error = checkSizes(mesh, girth, diameter)) return *std::move(error);
   if (auto error = checkLength(options.thresholds.girth, "the girth's threshold")) return *error;
-  if (auto error = checkLength(options.thresholds.thickness, "the threshold of the thickness")) {
+  if (auto error =
+          checkLength(options.thresholds.shapeDiameter, "the threshold of the shape diameter")) {
     return *error;
   }
   if (auto error = checkLength(options.smoothing, "the smoothing")) return *error;
@@ -181,7 +182,7 @@ Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
     part.kind = result.kinds[region.front()];
     part.area = areaOver(region, areas);
     part.medianGirth = medianOver(region, girth);
-    part.medianThickness = medianOver(region, diameter);
+    part.medianShapeDiameter = medianOver(region, diameter);
     if (part.kind != PartKind::Unknown) {
       part.thinnest = leastOver(region, part.kind == PartKind::Tube ? girth : diameter);
     }

@@ -400,7 +400,7 @@ Result<PrintCheck> checkPrint(const SurfaceMesh& mesh, const PrintFields& fields
     const double from = std::exchange(progress, progress + 0.3);
     if (!wanted) continue;
     const bool inside = side == ThicknessSide::Inside;
-    SideCheck part(mesh, {options.sharpAngle, side}, inside ? WeakKind::Wall : WeakKind::Gap,
+    SideCheck part(mesh, {options.sharpRadians, side}, inside ? WeakKind::Wall : WeakKind::Gap,
                    inside ? limits.wallThickness : limits.gap);
     if (inside) {
       for (const double value : fields.thickness) part.values.push_back(orNever(value));

@@ -97,7 +97,7 @@ std::vector<Halfedge> fanOf(const SurfaceMesh& mesh, Vertex vertex) {
 FacingSurface::FacingSurface(const SurfaceMesh& mesh, const ThicknessOptions& options)
     : mesh_(mesh),
       side_(options.side == ThicknessSide::Inside ? 1 : -1),
-      cosSharp_(cosSin(options.sharpAngle).cos),
+      cosSharp_(cosSin(options.sharpRadians).cos),
       normals_(normalsOfFaces(mesh)),
       spikes_(mesh.faceCount(), 0),
       isBody_(bodiesOf(mesh)),

@@ -26,9 +26,9 @@ double valueOf(const TouchingBall& ball) {
 }  // namespace
 
 std::optional<Error> checkThicknessOptions(const ThicknessOptions& options) {
-  if (options.sharpAngle > 0 && options.sharpAngle < kPi / 2) return std::nullopt;
+  if (options.sharpRadians > 0 && options.sharpRadians < kPi / 2) return std::nullopt;
   return makeError(ErrorCode::Usage, -1,
-                   "the angle of sharp edges " + std::to_string(options.sharpAngle) +
+                   "the angle of sharp edges " + std::to_string(options.sharpRadians) +
                        " is not a number of radians between 0 and π/2");
 }
 

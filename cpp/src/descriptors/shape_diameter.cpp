@@ -33,7 +33,7 @@ std::vector<ConeRay> coneRays(const ShapeDiameterOptions& options) {
   std::vector<ConeRay> rays;
   double x = 1, y = 0;
   for (unsigned i = 0; i < options.rays; ++i) {
-    const double angle = (i + 0.5) / options.rays * options.coneAngle / 2;
+    const double angle = (i + 0.5) / options.rays * options.coneRadians / 2;
     const CosSin off = cosSin(angle);
     rays.push_back({{x * off.sin, y * off.sin, off.cos}, 1 / angle});
     const Vec3 turned{x * golden.cos - y * golden.sin, x * golden.sin + y * golden.cos, 0};
@@ -131,9 +131,9 @@ struct Cones {
 };
 
 std::optional<Error> check(const ShapeDiameterOptions& options) {
-  if (!(options.coneAngle > 0 && options.coneAngle < kPi)) {
+  if (!(options.coneRadians > 0 && options.coneRadians < kPi)) {
     return makeError(ErrorCode::Usage, -1,
-                     "the cone's angle " + std::to_string(options.coneAngle) +
+                     "the cone's angle " + std::to_string(options.coneRadians) +
                          " is not a number of radians between 0 and π");
   }
   if (options.rays < 1 || options.rays > 10'000) {

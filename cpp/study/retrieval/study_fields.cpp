@@ -200,7 +200,7 @@ std::string parametersText(FieldGroup group, const FieldParameters& parameters) 
     text += " persistence " + exactText(parameters.persistence);
   }
   if (group == FieldGroup::Diameter) {
-    text += " cone " + exactText(parameters.diameter.coneAngle) + " rays " +
+    text += " cone " + exactText(parameters.diameter.coneRadians) + " rays " +
             std::to_string(parameters.diameter.rays);
   }
   if (group == FieldGroup::Extent) {

@@ -35,7 +35,7 @@ TEST(Fields, valuesAreThoseOfTheFieldsOwnFunctions) {
 TEST(Fields, optionsReachTheFieldsOwnFunctions) {
   FieldOptions options;
   options.sdf.rays = 3;
-  options.thickness.sharpAngle = 0.5;
+  options.thickness.sharpRadians = 0.5;
   options.distances = DistanceMethod::Exact;
   options.persistence = 0.1;
   EXPECT_EQ(namedValues("sdf", options), shapeDiameter(slab(), options.sdf).value().values);

@@ -126,21 +126,21 @@ TEST(Parts, OfARodAndASlab) {
     if (mesh == &rod) {
       EXPECT_NEAR(parts.parts[0].equivalentRadius(), 1, 0.01);
     } else {
-      EXPECT_NEAR(parts.parts[0].medianThickness, 0.52, 0.01);
+      EXPECT_NEAR(parts.parts[0].medianShapeDiameter, 0.52, 0.01);
     }
   }
 }
 
 TEST(Parts, WhereTheGirthIsNotDividedTheWidthOfABarDecides) {
-  // One thickness throughout, and girths spread evenly over those of rods, bars and plates.
+  // One shape diameter throughout, and girths spread evenly over those of rods, bars and plates.
   const SurfaceMesh mesh = test::icosphere(3).mesh();
-  std::vector<double> girth, thickness(mesh.vertexCount(), 0.5);
+  std::vector<double> girth, diameter(mesh.vertexCount(), 0.5);
   for (const Vertex v : mesh.vertices()) {
     girth.push_back(1.5 * std::pow(4, static_cast<double>(v) / mesh.vertexCount()));
   }
-  const PartThresholds thresholds = suggestedThresholds(mesh, girth, thickness);
-  EXPECT_NEAR(thresholds.girth, kPi, 1e-12) << "2 pi times the thickness";
-  EXPECT_GT(thresholds.thickness, 0.5);
+  const PartThresholds thresholds = suggestedThresholds(mesh, girth, diameter);
+  EXPECT_NEAR(thresholds.girth, kPi, 1e-12) << "2 pi times the shape diameter";
+  EXPECT_GT(thresholds.shapeDiameter, 0.5);
 }
 
 TEST(Parts, SmoothingTakesSpecksAway) {

@@ -32,8 +32,8 @@ test('tips and parts are read as they were written', () => {
   }
   expect(parseTips('')).toEqual({ leastJump: '0', selected: undefined });
   for (const parts of [
-    { girth: '0.2', thickness: 'inf', smoothing: 0 },
-    { girth: '5cm', thickness: '1e-3', smoothing: 0.25 },
+    { girth: '0.2', shapeDiameter: 'inf', smoothing: 0 },
+    { girth: '5cm', shapeDiameter: '1e-3', smoothing: 0.25 },
   ]) {
     expect(parseParts(writeParts(parts))).toEqual(parts);
   }

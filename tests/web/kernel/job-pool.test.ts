@@ -264,7 +264,7 @@ describe('the jobs of a mesh', () => {
   /** Every kind of job on one surface. */
   async function everyJob(mesh: Mesh) {
     const [igf, sdf] = [fieldOf('igf'), fieldOf('sdf')];
-    const thresholds = { girth: 1, thickness: 1 };
+    const thresholds = { girth: 1, shapeDiameter: 1 };
     const limits = { tubeDiameter: 1, wallThickness: 1 };
     await mesh.vertexAreas();
     await mesh.tips(igf);

@@ -304,11 +304,11 @@ describe('fields', () => {
     });
     const mesh = await kernel.load(anyArrays);
     await mesh.field('sdf', { sdf: { rays: 7 } });
-    await mesh.field('thickness', { thickness: { sharpAngle: 1 } });
+    await mesh.field('thickness', { thickness: { sharpRadians: 1 } });
     await mesh.field('geofarthest', { distances: 'exact' });
     expect(asked).toEqual([
       { name: 'sdf', 'sdf.rays': 7 },
-      { name: 'thickness', 'thickness.sharpAngle': 1 },
+      { name: 'thickness', 'thickness.sharpRadians': 1 },
       { name: 'geofarthest', distances: 'exact' },
     ]);
     for (const name of ['toString', 'girth', ''] as unknown as 'igf'[]) {
@@ -321,7 +321,7 @@ describe('fields', () => {
     const mesh = await kernel.load(anyArrays);
     const [igf, sdf] = [await mesh.field('igf'), await mesh.field('sdf')];
     const short = { ...igf, values: igf.values.slice(1) };
-    const thresholds = { girth: 1, thickness: 1 };
+    const thresholds = { girth: 1, shapeDiameter: 1 };
     const limits = { tubeDiameter: 1, wallThickness: 1 };
     const before = readers[0]!.operations.length;
     for (const refused of [
@@ -386,7 +386,7 @@ test('a result is written without being found again, with what files state besid
   });
   const mesh = await kernel.load(anyArrays);
   const [igf, sdf] = [await mesh.field('igf', { persistence: 0.5 }), await mesh.field('sdf')];
-  const [tips, thresholds] = [await mesh.tips(igf), { girth: 1, thickness: 2 }];
+  const [tips, thresholds] = [await mesh.tips(igf), { girth: 1, shapeDiameter: 2 }];
   const parts = await mesh.parts(igf, sdf, thresholds);
   const before = readers[0]!.operations.length;
   await mesh.write(tips, 'obj', { unit: 'mm' });
@@ -619,6 +619,27 @@ describe('names of options', () => {
       message: `there is no option ${name}`,
       hint,
     });
+  });
+
+  test('older ones have their effect, with a warning', async () => {
+    const warned = vi.spyOn(console, 'warn').mockImplementation(() => undefined);
+    const asked: object[] = [];
+    const surface = fakeSurface(4);
+    const { kernel } = await fakeKernel((request, report) => {
+      if (request.operation !== 'load') asked.push(request.arguments);
+      return surface(request, report);
+    });
+    const mesh = await kernel.load(anyArrays);
+    const [igf, sdf] = [await mesh.field('igf'), await mesh.field('sdf')];
+    const sharp = { sharpAngle: 0.5 };
+    await mesh.field('thickness', wrong({ thickness: sharp }));
+    expect(asked.at(-1)).toMatchObject({ field: { 'thickness.sharpRadians': 0.5 } });
+    expect(warned.mock.lastCall).toEqual([
+      'thickness.sharpAngle is the older name of sharpRadians, until 2.0',
+    ]);
+    expect(sharp).toEqual({ sharpAngle: 0.5 });
+    await mesh.parts(igf, sdf, wrong({ girth: 1, thickness: 2 }));
+    expect(asked.at(-1)).toMatchObject({ options: { girth: 1, shapeDiameter: 2 } });
   });
 
   test('of a kernel, and of its calls', async () => {

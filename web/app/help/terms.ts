@@ -44,7 +44,7 @@ export const terms = {
     title: 'Plate',
     lines: [
       'Thin, but its girth is large: seats, panels, blades.',
-      'Its thickness is the shape diameter (SDF).',
+      'The shape diameter (SDF) shows how thin.',
     ],
     picture: new URL('./terms/plate.webp', import.meta.url),
   },

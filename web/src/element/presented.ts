@@ -165,14 +165,14 @@ export class Presented {
   get thresholds(): Required<PartsWish> | undefined {
     const { parts } = this.shading;
     if (!parts) return undefined;
-    const { girth, thickness } = parts;
-    return { girth, thickness, smoothing: this.#wished?.smoothing ?? 0 };
+    const { girth, shapeDiameter } = parts;
+    return { girth, shapeDiameter, smoothing: this.#wished?.smoothing ?? 0 };
   }
 
   /** Plain thresholds at once; smoothed parts as soon as they are computed. */
   setThresholds(wish: PartsWish): void {
-    const { girth, thickness, smoothing = 0 } = wish;
-    for (const number of [girth, thickness, smoothing]) {
+    const { girth, shapeDiameter, smoothing = 0 } = wish;
+    for (const number of [girth, shapeDiameter, smoothing]) {
       if (!(number >= 0)) {
         throw new RangeError('thresholds and smoothing are numbers from 0 on, in model units');
       }
@@ -190,8 +190,8 @@ export class Presented {
     this.shading.parts = undefined;
   }
 
-  #showParts({ girth, thickness }: PartsWish, smoothed: Parts | undefined): void {
-    this.shading.parts = { girth, thickness, smoothed };
+  #showParts({ girth, shapeDiameter }: PartsWish, smoothed: Parts | undefined): void {
+    this.shading.parts = { girth, shapeDiameter, smoothed };
     if (this.shading.wishes.name === 'parts') this.paint();
   }
 

@@ -272,10 +272,10 @@ Run add(OptionTable& table) {
       "The girth is the first loop, however shallow the saddle that it lies on: on a rough "
       "scan that may be a wrinkle. --persistence passes over saddles that do not last. Start "
       "with the height of the noise; 2% of 10,000 triangles takes five times as long.");
-  table.note(
-      "What else there is",
-      "girth field has thickness (sdf), centricity, angles and signatures; girth loop the loop "
-      "itself, girth parts tubes and plates, girth tips where the shape ends.");
+  table.note("What else there is",
+             "girth field has thickness, shape diameter (sdf), centricity, angles and signatures; "
+             "girth loop the loop "
+             "itself, girth parts tubes and plates, girth tips where the shape ends.");
   table.example("girth igf model.glb -o values.csv",
                 "The girth at every vertex of the file: vertex, igf, kind.");
   table.example("girth igf model.glb -o model_girth.glb",

@@ -9,14 +9,14 @@ namespace girth {
 /// The members of thresholds.
 constexpr auto describe(Members<PartThresholds>) {
   return described<PartThresholds>(member("girth", &PartThresholds::girth),
-                                   member("thickness", &PartThresholds::thickness));
+                                   member("shapeDiameter", &PartThresholds::shapeDiameter));
 }
 
 /// The members of a part.
 constexpr auto describe(Members<Part>) {
   return described<Part>(member("kind", &Part::kind), member("area", &Part::area),
                          member("medianGirth", &Part::medianGirth),
-                         member("medianThickness", &Part::medianThickness),
+                         member("medianShapeDiameter", &Part::medianShapeDiameter),
                          member("equivalentRadius", &Part::equivalentRadius),
                          member("thinnest", &Part::thinnest), member("vertices", &Part::vertices));
 }

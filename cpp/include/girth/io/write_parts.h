@@ -11,10 +11,11 @@
 
 namespace girth::io {
 
-/// One JSON object: `file`, `unit`, `thresholds` (`girth`, `thickness`), `smoothing` and `parts`:
-/// of each its `kind`, `area`, `medianGirth`, `medianThickness`, `equivalentRadius` (tubes only),
-/// `thinnest` (as a point of `loopJson`, or null) and `vertices` (of the file). Numbers that are
-/// not finite come out as null. `persistence`: that of the girth, behind `unit`, where it is not 0.
+/// One JSON object: `file`, `unit`, `thresholds` (`girth`, `shapeDiameter`), `smoothing` and
+/// `parts`: of each its `kind`, `area`, `medianGirth`, `medianShapeDiameter`, `equivalentRadius`
+/// (tubes only), `thinnest` (as a point of `loopJson`, or null) and `vertices` (of the file).
+/// Numbers that are not finite come out as null. `persistence`: that of the girth, behind `unit`,
+/// where it is not 0.
 GIRTH_EXPORT std::string partsJson(const LoadedMesh& loaded, const Parts& parts,
                                    const PartOptions& options, std::string_view file,
                                    double persistence = 0);

@@ -25,7 +25,7 @@ export const mostModels = 24;
 const comparedFields = ['igf', 'sdf', 'geoaverage', 'geofarthest'] as const;
 /** … and the paper's other descriptors, which have distances but no single distribution. */
 const descriptors: Record<string, string> = {
-  'igf-sdf': 'Girth and thickness (IGF-SDF)',
+  'igf-sdf': 'Girth and shape diameter (IGF-SDF)',
   'igf-ms': 'Girth by fast marching (IGF-MS)',
   hks: 'Heat kernel (HKS)',
   sihks: 'Scale-invariant heat kernel (SIHKS)',

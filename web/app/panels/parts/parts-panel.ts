@@ -1,4 +1,4 @@
-// Tubes and plates: girth against thickness with the two thresholds, and the parts that they make.
+// Tubes and plates: girth against shape diameter with the two thresholds, and the parts that they make.
 
 import {
   type GirthViewer,
@@ -85,7 +85,7 @@ export class PartsPanel {
       });
     this.#inputs = {
       girth: input('girth', 'Tubes: girth below'),
-      thickness: input('thickness', 'Thickness below'),
+      shapeDiameter: input('shapeDiameter', 'Shape diameter below'),
     };
     const slider = (name: keyof PartThresholds, label: string): ThresholdSlider =>
       new ThresholdSlider(label, (length, settled) => {
@@ -94,7 +94,7 @@ export class PartsPanel {
       });
     this.#sliders = {
       girth: slider('girth', 'Girth below which thin parts are tubes'),
-      thickness: slider('thickness', 'Thickness below which parts are thin'),
+      shapeDiameter: slider('shapeDiameter', 'Shape diameter below which parts are thin'),
     };
     for (const [weight, words] of smoothings) {
       this.#smoothing.append(make('option', { value: String(weight) }, words));
@@ -113,14 +113,14 @@ export class PartsPanel {
       make('label', { class: 'check' }, log, ' Logarithmic'),
       this.#inputs.girth.label,
       this.#sliders.girth.element,
-      this.#inputs.thickness.label,
-      this.#sliders.thickness.element,
+      this.#inputs.shapeDiameter.label,
+      this.#sliders.shapeDiameter.element,
       make('div', { class: 'row' }, this.#smoothing, automatic),
     );
     explains(this.#titles.tube, 'tube');
     explains(this.#titles.plate, 'plate');
     explains(this.#inputs.girth.label, 'girth');
-    explains(this.#inputs.thickness.label, 'sdf');
+    explains(this.#inputs.shapeDiameter.label, 'sdf');
     this.panel.body.append(
       make(
         'p',
@@ -182,8 +182,8 @@ export class PartsPanel {
 
   /** The choice as the state has it. */
   get #chosen(): Pick<PageState, 'girth' | 'diameter' | 'smoothing'> {
-    const { girth, thickness, smoothing } = this.choice!;
-    const own = this.#isSuggested ? undefined : { girth, diameter: thickness };
+    const { girth, shapeDiameter, smoothing } = this.choice!;
+    const own = this.#isSuggested ? undefined : { girth, diameter: shapeDiameter };
     return { girth: own?.girth, diameter: own?.diameter, smoothing: smoothing || undefined };
   }
 
@@ -202,7 +202,7 @@ export class PartsPanel {
     const viewer = this.#viewer;
     const { info } = viewer;
     if (!info || this.#fields) return;
-    this.#words.textContent = 'Parts follow as soon as girth and thickness are computed …';
+    this.#words.textContent = 'Parts follow as soon as girth and shape diameter are computed …';
     try {
       const [igf, sdf, areas] = await Promise.all([
         viewer.fieldOf('igf'),
@@ -214,7 +214,7 @@ export class PartsPanel {
       this.#words.textContent = sentence(sdf.note);
       if (!this.#drawPlot()) {
         this.#words.textContent =
-          `${sentence(sdf.note)} No vertex has both a girth and a thickness.`.trim();
+          `${sentence(sdf.note)} No vertex has both a girth and a shape diameter.`.trim();
         return;
       }
       await this.#show(this.#store.shown);
@@ -233,7 +233,10 @@ export class PartsPanel {
       this.#smoothing.append(make('option', { value: weight }, `smoothed, weight ${weight}`));
     }
     this.#smoothingDraft.show(weight);
-    const chosen = { girth: girth ?? suggested.girth, thickness: diameter ?? suggested.thickness };
+    const chosen = {
+      girth: girth ?? suggested.girth,
+      shapeDiameter: diameter ?? suggested.shapeDiameter,
+    };
     this.#setThresholds(chosen, true, girth === undefined && diameter === undefined);
   }
 
@@ -247,7 +250,7 @@ export class PartsPanel {
 
   /** Drops typed texts: somebody has set their thresholds in another way. */
   #discardDrafts(...names: (keyof PartThresholds)[]): void {
-    const all = names.length > 0 ? names : (['girth', 'thickness'] as const);
+    const all = names.length > 0 ? names : (['girth', 'shapeDiameter'] as const);
     for (const name of all) this.#inputs[name].discard();
     this.#writeNote();
   }
@@ -265,13 +268,13 @@ export class PartsPanel {
     const unit = format.unit ? `, ${format.unit}` : '';
     const isShown = this.#plot.show({
       girth: igf.values,
-      thickness: sdf.values,
+      shapeDiameter: sdf.values,
       weights: areas,
       log: this.#log.checked,
       colours: { body: darker(body!), tube: tube!, plate: plate! },
       format: (length) => plainNumber(length * format.scale, 2),
       unit: format.unit,
-      labels: { girth: `Girth${unit}`, thickness: `Thickness${unit}` },
+      labels: { girth: `Girth${unit}`, shapeDiameter: `Shape diameter${unit}` },
     });
     if (this.#thresholds) this.#plot.setThresholds(this.#thresholds);
     return isShown;
@@ -310,7 +313,7 @@ export class PartsPanel {
   #write(): void {
     const [thresholds, fields] = [this.#thresholds, this.#fields];
     const format = this.#viewer.lengthFormat;
-    for (const name of ['girth', 'thickness'] as const) {
+    for (const name of ['girth', 'shapeDiameter'] as const) {
       this.#inputs[name].show(thresholds?.[name], format);
       const field = name === 'girth' ? fields?.igf : fields?.sdf;
       this.#sliders[name].show(field?.range, thresholds?.[name], (length) =>
@@ -344,7 +347,7 @@ export class PartsPanel {
     this.#plates.show(
       plates.map((part) => ({
         colour: partKinds[2]!.colour,
-        main: `thickness ${formatLength(part.medianThickness, format)}`,
+        main: `shape diameter ${formatLength(part.medianShapeDiameter, format)}`,
         detail: `girth ${formatLength(part.medianGirth, format)} · area ${formatArea(part.area, format)}`,
         choose: () => fly(part),
       })),

@@ -14,7 +14,7 @@ const rivals = [
   ['', 'nothing'],
   ['heat', 'heat maxima'],
   ['geoaverage', 'GeoAverage'],
-  ['sdf', 'thickness'],
+  ['sdf', 'shape diameter'],
 ] as const;
 type Rival = (typeof rivals)[number][0];
 const most = 50;
@@ -25,7 +25,7 @@ interface Extremum extends Maximum {
 }
 
 export interface RivalsPage {
-  /** Colours the surface by thickness, or as before. */
+  /** Colours the surface by shape diameter, or as before. */
   colour(bySdf: boolean): void;
 }
 
@@ -44,7 +44,7 @@ export class TipRivals {
   readonly #words = make('p', { class: 'hint', role: 'status' });
   readonly #list = new PlaceList('Points beside the tips');
   readonly #extrema: Resource<Extremum[]>;
-  /** Whether the surface is coloured by thickness for this comparison. */
+  /** Whether the surface is coloured by shape diameter for this comparison. */
   #isColoured = false;
   readonly #viewer: GirthViewer;
   readonly #page: RivalsPage;

@@ -19,7 +19,7 @@ const steps = 200;
 export interface TipsPage {
   /** The tips are known. */
   found(): void;
-  /** Colours the surface by thickness, beside the tips, or as before. */
+  /** Colours the surface by shape diameter, beside the tips, or as before. */
   colour(bySdf: boolean): void;
 }
 

@@ -102,7 +102,7 @@ export interface GirthViewerAttributes {
    */
   tips?: boolean | string;
   /**
-   * The girth and the thickness where tubes and plates begin, and the smoothing, as in
+   * The girth and the shape diameter where tubes and plates begin, and the smoothing, as in
    * `parts="200mm 50mm 0.1"`; by default as the model's own values suggest. `field="parts"`
    * colours by them.
    */

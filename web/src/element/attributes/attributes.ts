@@ -181,13 +181,13 @@ const rules: Record<AttributeName, Rule> = {
     isBare: true,
   },
   /**
-   * The girth and the thickness where tubes and plates begin, and the smoothing, as in
+   * The girth and the shape diameter where tubes and plates begin, and the smoothing, as in
    * `parts="200mm 50mm 0.1"`; by default as the model's own values suggest. `field="parts"` colours
    * by them.
    */
   parts: {
     allowed:
-      'the girth and the thickness where tubes and plates begin, as in 200mm 50mm, and a number for the smoothing',
+      'the girth and the shape diameter where tubes and plates begin, as in 200mm 50mm, and a number for the smoothing',
     accepts: (text) => parseParts(text) !== undefined,
   },
   /**

@@ -36,7 +36,7 @@ export function writeTips({ leastJump, selected }: TipsWish): string {
 /** Thresholds of tubes and plates: two lengths, with or without units, and the smoothing. */
 export interface PartsWords {
   girth: string;
-  thickness: string;
+  shapeDiameter: string;
   smoothing: number;
 }
 
@@ -44,15 +44,15 @@ export interface PartsWords {
 export function parseParts(text: string): PartsWords | undefined {
   const words = text.trim().split(/\s+/);
   if (words.length < 2 || words.length > 3) return undefined;
-  const [girth, thickness, last = '0'] = words as [string, string, string?];
+  const [girth, shapeDiameter, last = '0'] = words as [string, string, string?];
   const smoothing = readNumber(last);
-  const areLengths = [girth, thickness].every((word) => word === 'inf' || isLength(word));
+  const areLengths = [girth, shapeDiameter].every((word) => word === 'inf' || isLength(word));
   if (!areLengths || smoothing === undefined || smoothing < 0) return undefined;
-  return { girth, thickness, smoothing };
+  return { girth, shapeDiameter, smoothing };
 }
 
-export function writeParts({ girth, thickness, smoothing }: PartsWords): string {
-  return [girth, thickness, ...(smoothing === 0 ? [] : [smoothing])].join(' ');
+export function writeParts({ girth, shapeDiameter, smoothing }: PartsWords): string {
+  return [girth, shapeDiameter, ...(smoothing === 0 ? [] : [smoothing])].join(' ');
 }
 
 /** A loop that is to be pinned. */

@@ -195,10 +195,12 @@ export class Wishes {
     if (presented.model.file.isAll) return;
     try {
       if (wish) {
-        const [girth, thickness] = [wish.girth, wish.thickness].map((word) => this.#lengthOf(word));
+        const [girth, shapeDiameter] = [wish.girth, wish.shapeDiameter].map((word) =>
+          this.#lengthOf(word),
+        );
         presented.setThresholds({
           girth: girth!,
-          thickness: thickness!,
+          shapeDiameter: shapeDiameter!,
           smoothing: wish.smoothing,
         });
       } else if (anew) presented.forgetThresholds();
@@ -232,10 +234,10 @@ async function pathThrough(
 
 const lengthWords = (length: number): string => (length === Infinity ? 'inf' : String(length));
 
-function partsWords({ girth, thickness, smoothing }: Required<PartsWish>): string {
+function partsWords({ girth, shapeDiameter, smoothing }: Required<PartsWish>): string {
   return writeParts({
     girth: lengthWords(girth),
-    thickness: lengthWords(thickness),
+    shapeDiameter: lengthWords(shapeDiameter),
     smoothing,
   });
 }

@@ -384,7 +384,7 @@ export class Shading {
     } else {
       if (!this.#hasPair) surface.setPair(igf.values, sdf.values);
       this.#hasPair = true;
-      surface.setThresholds(parts.girth, parts.thickness, partKinds);
+      surface.setThresholds(parts.girth, parts.shapeDiameter, partKinds);
       surface.shadeBy('thresholds');
     }
   }

@@ -20,17 +20,42 @@ export function wrongOption(
   return undefined;
 }
 
+/** Older names of options, until 2.0. */
+const olderNames: Readonly<Record<string, string>> = {
+  thickness: 'shapeDiameter',
+  'sdf.coneAngle': 'coneRadians',
+  'thickness.sharpAngle': 'sharpRadians',
+};
+
+/** Options with each older name replaced by the present one, and a warning of it. */
+function withPresentNames(options: unknown, names: readonly string[], within = ''): unknown {
+  if (typeof options !== 'object' || options === null) return options;
+  const entries = Object.entries(options).map(([key, value]): [string, unknown] => {
+    const [name, now] = [within + key, olderNames[within + key]];
+    if (names.some((one) => one.startsWith(`${name}.`))) {
+      return [key, withPresentNames(value, names, `${name}.`)];
+    }
+    if (!now || names.includes(name) || !names.includes(within + now)) return [key, value];
+    console.warn(`${name} is the older name of ${now}, until 2.0`);
+    return [now, value];
+  });
+  return Object.fromEntries(entries);
+}
+
 type Call = (this: unknown, ...args: unknown[]) => Promise<unknown>;
 
-/** Makes calls that return promises check the names of their options first. */
+/** Makes calls that return promises check the names of their options first; older names still work. */
 export function checkCalls(owner: object, names: CallOptionNames): void {
   const calls = owner as Record<string, Call>;
   for (const [call, parameters] of Object.entries(names)) {
     const unchecked = calls[call]!;
     calls[call] = function (...args) {
-      for (const [at, known] of Object.entries(parameters)) {
-        const wrong = wrongOption(args[Number(at)], known);
+      for (const [place, known] of Object.entries(parameters)) {
+        const at = Number(place);
+        const options = withPresentNames(args[at], known);
+        const wrong = wrongOption(options, known);
         if (wrong) return Promise.reject(wrong);
+        if (at in args) args[at] = options;
       }
       return unchecked.apply(this, args);
     };

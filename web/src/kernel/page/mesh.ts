@@ -110,18 +110,18 @@ const wholeLimits = ({ tubeDiameter, wallThickness, gap = 0 }: PrintLimits) => (
 /** Places of a profile, unless others are asked for. */
 const profilePlaces = { samples: defaults.samples, crossings: true };
 
-const whole = ({ girth, thickness, smoothing = 0 }: PartOptions) => ({
+const whole = ({ girth, shapeDiameter, smoothing = 0 }: PartOptions) => ({
   girth,
-  thickness,
+  shapeDiameter,
   smoothing,
 });
 
 const divided = ({
   girth,
-  thickness,
+  shapeDiameter,
   minProminence = 0,
   smoothing = 0,
-}: SegmentOptions): SegmentRequest => ({ girth, thickness, minProminence, smoothing });
+}: SegmentOptions): SegmentRequest => ({ girth, shapeDiameter, minProminence, smoothing });
 
 export class MeshOfWorkers extends MeshWithAnalyses implements Mesh {
   readonly info: Mesh['info'];

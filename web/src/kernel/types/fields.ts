@@ -42,7 +42,7 @@ export interface ShapeDiameterOptions {
   /**
    * The full opening of the cone of rays, in radians, in (0, π). Default: 2.0943951023931953, 120°.
    */
-  coneAngle?: number;
+  coneRadians?: number;
 }
 
 /** Options of the thickness: which faces count as facing a point. */
@@ -53,7 +53,7 @@ export interface ThicknessOptions {
    * each other do not: a cube is as thick at its edges as in the middle. Every convex body has faces
    * that meet at 70.6° or less, if they meet. Default: 1.3089969389957472, 75°.
    */
-  sharpAngle?: number;
+  sharpRadians?: number;
 }
 
 /** The points that distances are measured from, and how far. */
@@ -90,8 +90,8 @@ export interface FieldParameters {
 export const parameterPaths = [
   'persistence',
   'sdf.rays',
-  'sdf.coneAngle',
-  'thickness.sharpAngle',
+  'sdf.coneRadians',
+  'thickness.sharpRadians',
   'distances',
   'distance.from',
   'distance.radius',

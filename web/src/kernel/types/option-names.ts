@@ -40,9 +40,9 @@ export const callOptionNames: Readonly<
         'distances',
         'sdf',
         'sdf.rays',
-        'sdf.coneAngle',
+        'sdf.coneRadians',
         'thickness',
-        'thickness.sharpAngle',
+        'thickness.sharpRadians',
         'distance',
         'distance.from',
         'distance.radius',
@@ -70,12 +70,14 @@ export const callOptionNames: Readonly<
     levelCurves: { '2': ['signal'] },
     cut: { '1': ['cap', 'signal'] },
     exportCut: { '2': ['unit', 'signal', 'cap'] },
-    segments: { '2': ['minProminence', 'onProgress', 'signal', 'smoothing', 'girth', 'thickness'] },
+    segments: {
+      '2': ['minProminence', 'onProgress', 'signal', 'smoothing', 'girth', 'shapeDiameter'],
+    },
     exportSegments: {
-      '3': ['unit', 'signal', 'minProminence', 'onProgress', 'smoothing', 'girth', 'thickness'],
+      '3': ['unit', 'signal', 'minProminence', 'onProgress', 'smoothing', 'girth', 'shapeDiameter'],
     },
     suggestedThresholds: { '2': ['signal'] },
-    parts: { '2': ['smoothing', 'girth', 'thickness'], '3': ['signal'] },
+    parts: { '2': ['smoothing', 'girth', 'shapeDiameter'], '3': ['signal'] },
     printCheck: {
       '0': ['igf', 'thickness'],
       '1': ['tubeDiameter', 'wallThickness', 'gap'],
@@ -86,7 +88,7 @@ export const callOptionNames: Readonly<
     write: { '2': ['profiles', 'unit', 'signal'] },
     exportTips: { '2': ['unit', 'signal'] },
     exportLimbs: { '2': ['unit', 'signal', 'stations', 'onProgress'] },
-    exportParts: { '2': ['smoothing', 'girth', 'thickness'], '4': ['unit', 'signal'] },
+    exportParts: { '2': ['smoothing', 'girth', 'shapeDiameter'], '4': ['unit', 'signal'] },
     exportWeakPlaces: {
       '0': ['igf', 'thickness'],
       '1': ['tubeDiameter', 'wallThickness', 'gap'],

@@ -97,7 +97,7 @@ export type SpectralRequest = { name: SpectralFieldName } & {
 };
 
 /** At which necks a surface is divided; thresholds that are missing are suggested ones. */
-export type SegmentRequest = Pick<SegmentOptions, 'girth' | 'thickness'> &
+export type SegmentRequest = Pick<SegmentOptions, 'girth' | 'shapeDiameter'> &
   Required<Pick<SegmentOptions, 'minProminence' | 'smoothing'>>;
 
 /** The two fields that parts are divided by, one value per vertex. */

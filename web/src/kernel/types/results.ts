@@ -38,7 +38,7 @@ export type LimbEnd = 'spreads' | 'slips' | 'splits' | 'handle' | 'boundary' | '
  * - `'body'`: thick
  * - `'tube'`: thin, and a short loop goes round it
  * - `'plate'`: thin, but no short loop goes round it
- * - `'unknown'`: its girth or its thickness has no value
+ * - `'unknown'`: its girth or its shape diameter has no value
  */
 export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
 
@@ -352,14 +352,14 @@ export interface Necks {
 }
 
 /**
- * The paper's τ1 and τ2, in model units: plate = {I > girth, SDF < thickness}, tube = {I < girth, SDF
- * < thickness}, body the rest.
+ * The paper's τ1 and τ2, in model units: plate = {I > girth, SDF < shapeDiameter}, tube = {I < girth,
+ * SDF < shapeDiameter}, body the rest.
  */
 export interface PartThresholds {
   /** Τ1: tubes have a smaller girth, in model units. */
   girth: number;
-  /** Τ2: tubes and plates are thinner, in model units. */
-  thickness: number;
+  /** Τ2: tubes and plates have a smaller shape diameter, in model units. */
+  shapeDiameter: number;
 }
 
 /** A connected region of one kind. */
@@ -370,8 +370,8 @@ export interface Part {
   area: number;
   /** Median of the girth over the region, in model units; NaN where it is unknown. */
   medianGirth: number;
-  /** Median of the thickness over the region, in model units; NaN where it is unknown. */
-  medianThickness: number;
+  /** Median of the shape diameter over the region, in model units; NaN where it is unknown. */
+  medianShapeDiameter: number;
   /** Radius of the round tube with the same girth, I / 2π, in model units. */
   equivalentRadius: number;
   /**

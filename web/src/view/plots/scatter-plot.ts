@@ -1,4 +1,4 @@
-// Girth against thickness, a point for every vertex, with the two thresholds that make tubes, plates
+// Girth against shape diameter, a point for every vertex, with the two thresholds that make tubes, plates
 // and body of it; both can be dragged.
 
 import {
@@ -18,8 +18,8 @@ import type { PlotPen } from './plot-svg.js';
 export interface Thresholds {
   /** Tubes have a girth below it, plates one above. */
   girth: number;
-  /** Tubes and plates are thinner than this. */
-  thickness: number;
+  /** Tubes and plates have a shape diameter below it. */
+  shapeDiameter: number;
 }
 
 /** sRGB bytes of what lies where. */
@@ -37,15 +37,15 @@ export interface ScatterLabels {
   /** The name of the axis to the right. */
   girth: string;
   /** The name of the axis upwards. */
-  thickness: string;
+  shapeDiameter: string;
 }
 
 /** The content of a plot. */
 export interface ScatterContent {
   /** One value for each vertex. */
   girth: ArrayLike<number>;
-  /** The thickness, one value for each vertex. */
-  thickness: ArrayLike<number>;
+  /** The shape diameter, one value for each vertex. */
+  shapeDiameter: ArrayLike<number>;
   /** How much each vertex counts. */
   weights: Weights;
   /** Whether the axes are logarithmic. */
@@ -78,7 +78,7 @@ const keySteps: Record<string, number> = {
   PageDown: -0.1,
 };
 
-/** A plot of girth against thickness with two thresholds to drag. */
+/** A plot of girth against the shape diameter with two thresholds to drag. */
 export class ScatterPlot {
   /** To be put into the page. */
   readonly element = document.createElement('div');
@@ -87,7 +87,7 @@ export class ScatterPlot {
   readonly #cross = document.createElement('div');
   #content: ScatterContent | undefined;
   #axes: { x: Scale; y: Scale } | undefined;
-  #thresholds: Thresholds = { girth: 0, thickness: 0 };
+  #thresholds: Thresholds = { girth: 0, shapeDiameter: 0 };
   #counted: { density: Density; key: string } | undefined;
   #images: Record<keyof RegionColours, OffscreenCanvas> | undefined;
   readonly #events: ScatterEvents;
@@ -98,25 +98,25 @@ export class ScatterPlot {
     this.element.className = 'plot scatter';
     this.#handles = {
       girth: this.#handle('girth', 'Girth below which thin parts are tubes'),
-      thickness: this.#handle('thickness', 'Thickness below which parts are thin'),
+      shapeDiameter: this.#handle('shapeDiameter', 'Shape diameter below which parts are thin'),
     };
     this.#cross.className = 'plot-cross';
-    this.#drags(this.#cross, ['girth', 'thickness']);
-    this.#frame.over.append(this.#handles.girth, this.#handles.thickness, this.#cross);
+    this.#drags(this.#cross, ['girth', 'shapeDiameter']);
+    this.#frame.over.append(this.#handles.girth, this.#handles.shapeDiameter, this.#cross);
   }
 
   /** Shows points; false where none of them has both values. */
   show(content: ScatterContent): boolean {
     this.#content = content;
     const x = scaleFor(content.girth, content.log);
-    const y = scaleFor(content.thickness, content.log);
+    const y = scaleFor(content.shapeDiameter, content.log);
     this.#counted = undefined;
     this.#images = undefined;
     this.#axes = x && y && { x, y };
     if (!x || !y) return false;
     this.#frame.show({
       x: { scale: x, format: content.format, label: content.labels.girth },
-      y: { scale: y, format: content.format, label: content.labels.thickness },
+      y: { scale: y, format: content.format, label: content.labels.shapeDiameter },
       at: [x.low, x.high],
       lines: [],
       paint: (context, inside, pixelRatio) => this.#paint(context, inside, pixelRatio),
@@ -180,8 +180,8 @@ export class ScatterPlot {
         if (names.includes('girth')) {
           change.girth = valueAt(axes.x, clamp((event.clientX - box.left) / box.width));
         }
-        if (names.includes('thickness')) {
-          change.thickness = valueAt(axes.y, clamp(1 - (event.clientY - box.top) / box.height));
+        if (names.includes('shapeDiameter')) {
+          change.shapeDiameter = valueAt(axes.y, clamp(1 - (event.clientY - box.top) / box.height));
         }
         this.#move(change, false);
       };
@@ -210,20 +210,23 @@ export class ScatterPlot {
       Math.min(1, Math.max(0, Number.isNaN(place) ? 0 : place));
     return {
       right: clamp(placeOn(axes!.x, thresholds.girth)),
-      up: clamp(placeOn(axes!.y, thresholds.thickness)),
+      up: clamp(placeOn(axes!.y, thresholds.shapeDiameter)),
     };
   }
 
   #place(): void {
     const [handles, cross, axes, content] = [this.#handles, this.#cross, this.#axes, this.#content];
-    for (const one of [handles.girth, handles.thickness, cross]) one.hidden = !axes;
+    for (const one of [handles.girth, handles.shapeDiameter, cross]) one.hidden = !axes;
     if (!axes || !content) return;
     const { right, up } = this.#places();
     handles.girth.style.left = cross.style.left = `${100 * right}%`;
-    handles.girth.style.top = handles.thickness.style.top = cross.style.top = `${100 * (1 - up)}%`;
+    handles.girth.style.top =
+      handles.shapeDiameter.style.top =
+      cross.style.top =
+        `${100 * (1 - up)}%`;
     for (const [name, place] of [
       ['girth', right],
-      ['thickness', up],
+      ['shapeDiameter', up],
     ] as const) {
       handles[name].setAttribute('aria-valuenow', String(Math.round(100 * place)));
       const value = content.format(this.#thresholds[name]);
@@ -243,8 +246,8 @@ export class ScatterPlot {
     const height = Math.max(1, Math.round(inside.height / (pixelRatio * cell)));
     const key = `${width} ${height}`;
     if (this.#counted?.key !== key) {
-      const { girth, thickness, weights } = content;
-      this.#counted = { key, density: density(girth, thickness, weights, axes, width, height) };
+      const { girth, shapeDiameter, weights } = content;
+      this.#counted = { key, density: density(girth, shapeDiameter, weights, axes, width, height) };
       this.#images = undefined;
     }
     this.#images ??= this.#drawImages(content.colours);
