@@ -454,7 +454,7 @@ for (const mode of ['threads', 'pool'] as const) {
       expect(result.field.values.every((value) => value > 0)).toBe(true);
     });
 
-    test('thickness of an open surface and of one inside out: said in words', async () => {
+    test('shape diameter of an open surface and of one inside out: said in words', async () => {
       const notes = await page.evaluate(
         async ([open, out]) => {
           const kernel = await girth.createKernel({ threads: 1 });
@@ -475,7 +475,7 @@ for (const mode of ['threads', 'pool'] as const) {
         ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', turned(torus(24, 16))] as const,
       );
       expect(notes[0]).toMatchObject({ withoutValue: 3, count: 3 });
-      expect(notes[0]!.note).toContain('3 of 3 vertices have no thickness');
+      expect(notes[0]!.note).toContain('3 of 3 vertices have no shape diameter');
       expect(notes[1]!.note).toContain('inside out');
     });
 

@@ -81,12 +81,12 @@ Run add(OptionTable& table) {
   addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth bottleneck vessel.stl 120 4803 --unit mm",
-                "How narrow the way from one end to the other gets.");
+                "The narrowest place on the way from one end to the other.");
   table.example("girth bottleneck model.glb 120 7:0.2,0.3,0.5 -o neck.json",
                 "With the loop at the narrowest place.");
   table.note("Which way",
-             "Of all ways over the surface the one whose narrowest place is widest: on a ring it "
-             "goes round the thicker side. girth necks lists all necks, wherever they are.");
+             "The way over the surface whose narrowest place is widest; on a ring it takes the "
+             "thicker side. girth necks lists all necks.");
   return [options, writers] {
     return measure(
         *options, [&](const io::LoadedMesh& loaded) { return compute(*options, loaded); }, writers);

@@ -10,7 +10,7 @@
 namespace girth::cli {
 
 void addThreadsOption(OptionTable& table, unsigned& threads) {
-  table.add("--threads N", threads, "Threads; as many as there are cores by default")
+  table.add("--threads N", threads, "Number of threads; by default one for each core")
       .range(1, 1024);
 }
 

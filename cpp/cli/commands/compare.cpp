@@ -144,15 +144,14 @@ Run add(OptionTable& table) {
   addModelOptions(table, options->preparing);
   table.add("--json", options->json, "Print the distances as JSON");
   table.note(
-      "How far is far",
+      "How to read a distance",
       "Beside each distance stands the median distance of two poses of one shape, and that of "
       "two shapes of different classes, over the 600 models of SHREC'11. By igf, 95 of 100 pairs "
       "of poses are nearer than 0.065, and 95 of 100 pairs of different classes farther than "
       "0.043.");
-  table.note(
-      "Many models",
-      "One answer for all of them, and so no --jobs: the work on each model is divided among "
-      "--threads.");
+  table.note("Many models",
+             "All models have one answer, so there is no --jobs; --threads divides the work on "
+             "each model.");
   table.example("girth compare a.obj b.obj", "How far two shapes are apart, by four descriptors.");
   table.example("girth compare *.off --descriptors igf --json",
                 "Every pair of many, by the girth alone.");

@@ -23,9 +23,7 @@ void addComparisonOptions(OptionTable& table, ComparisonOptions& options) {
       .separated();
   table
       .add("--faces N", options.fields.faces,
-           "At most so many triangles: larger models are remeshed; 10000 by default, 0: leave all "
-           "as they "
-           "are")
+           "Remesh larger models to N triangles; 10000 by default, 0: none")
       .range(0, kMostFaces);
   table
       .add("--smooth STEPS", options.fields.smoothing,
@@ -40,8 +38,8 @@ void addComparisonOptions(OptionTable& table, ComparisonOptions& options) {
   addPersistenceShareOption(table, options.fields.persistence, "igf");
   table
       .add("--bins N", options.signatures.bins,
-           "Compare one-dimensional fields as histograms of so many bins (the paper: 512); by "
-           "default by the exact distance of their distributions")
+           "Number of bins for histograms of one-dimensional fields (the paper: 512); by default "
+           "their distributions are compared exactly")
       .range(1, 1'000'000);
   table
       .onValue(
@@ -65,19 +63,19 @@ void addComparisonOptions(OptionTable& table, ComparisonOptions& options) {
       .range(1, 4096);
   table.onFlag(
       "--soft-words", [&] { options.signatures.words = WordChoice::Soft; },
-      "Count each feature to all words by its distances; compare does");
+      "Count each feature to all words by its distances; the default of compare");
   table.onFlag(
       "--nearest-words", [&] { options.signatures.words = WordChoice::Nearest; },
-      "Count each feature to its nearest word only; retrieve does");
+      "Count each feature to its nearest word only; the default of retrieve");
   table.add("--seed N", options.signatures.vocabulary.seed,
-            "What the words are drawn with; 1 by default");
+            "Seed of the random choice of words; 1 by default");
   table
       .add("--pairs N", options.fields.spectrum.pairs,
            "hks, sihks, wks: eigenpairs at most; 300 by default")
       .range(2, 100'000);
   table
       .add("--sihks-eigenfunctions N", options.fields.sihks.eigenfunctions,
-           "sihks: use so many of them only; all by default")
+           "sihks: number of eigenpairs used; all by default")
       .range(1, 100'000);
   addThreadsOption(table, options.threads);
 }

@@ -288,8 +288,7 @@ Run add(OptionTable& table) {
             "Cut along the loop at this vertex, numbered as in the file from 0");
   table.add("--neck N", options->neck, "Cut along one neck, numbered as girth necks lists it");
   table.add("--necks", options->allNecks, "Cut along all necks");
-  addProminenceOption(table, options->minProminence,
-                      "Of the necks only those of at least this prominence");
+  addProminenceOption(table, options->minProminence, "Only necks of at least this prominence");
   table.add("--handle N", options->handle,
             "Cut along the loop of one handle or tunnel, numbered as girth handles lists it");
   table.add("--handles", options->allHandles,
@@ -310,17 +309,17 @@ Run add(OptionTable& table) {
                    "the name has a star for its number: 'part-*.stl', also .obj, .ply, .off, .glb");
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth cut figure.stl --neck 0 --cap -o parts.glb",
-                "In two at its clearest neck, both closed.");
+                "Two parts, cut at the clearest neck and closed.");
   table.example("girth cut model.glb --necks --min-prominence 5mm -o segments.csv",
                 "The parts of a body, as a label for each face.");
   table.example("girth cut ring.stl --handle 0 --cap -o 'part-*.stl'",
-                "Along the loop of a handle, each part in a file of its own.");
+                "Cut along the loop of a handle; each part has its own file.");
   return [options] { return run(*options); };
 }
 
 }  // namespace
 }  // namespace cut_command
 
-const Command kCut{"cut", "Take a surface apart along loops and necks", cut_command::add};
+const Command kCut{"cut", "Cut a surface along loops and necks", cut_command::add};
 
 }  // namespace girth::cli

@@ -91,9 +91,9 @@ Run add(OptionTable& table) {
   addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth distance model.glb --between pairs.csv -o lengths.csv",
-                "How far it is between the points of each row, along the surface.");
+                "The distance along the surface between the points of each row.");
   table.example("girth distance model.glb --between pairs.csv --paths --json",
-                "With the shortest paths.");
+                "The distances with their shortest paths.");
   table.note("From one place to all",
              "girth field --field distance gives each vertex its distance from the nearest of some "
              "points.");

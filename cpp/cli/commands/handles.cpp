@@ -65,9 +65,10 @@ void printNotes(const std::string& model, const Handles& handles) {
   const auto unproven = std::count_if(
       all.begin(), all.end(), [](const Handle& handle) { return handle.mayBeShorterBy > 0; });
   if (unproven > 0) {
-    printNote(model, std::to_string(unproven) + " of " + std::to_string(all.size()) +
-                         " loops may be shorter: the proof would take longer; --all-vertices makes "
-                         "it");
+    printNote(
+        model,
+        std::to_string(unproven) + " of " + std::to_string(all.size()) +
+            " loops may be shorter: the proof would take longer; --all-vertices completes it");
   }
   if (handles.unresolved > 0) {
     printNote(model, std::to_string(handles.unresolved) + " handles or tunnels were not found");
@@ -86,8 +87,8 @@ Run add(OptionTable& table) {
       }};
   table.add("MODEL", options->model, "The model to read").required();
   table.add("--base-points N", options->bases,
-            "Points of each component whose loops are compared at first; 32 by default. Then loops "
-            "are proven shortest, for about five seconds");
+            "Number of points in each component whose loops are compared; 32 by default. A proof "
+            "of about five seconds follows");
   table
       .add("--all-vertices", options->allVertices,
            "Compare the loops at all vertices: proven, and slow on large models")
@@ -96,18 +97,17 @@ Run add(OptionTable& table) {
                    "Write the loops: .json, .csv (a row for each), .obj or .glb (closed lines)");
   addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
-  table.example("girth handles scan.ply", "How many handles it has, and how small they are.");
-  table.example("girth handles model.glb -o handles.glb", "Their loops, as lines to look at.");
+  table.example("girth handles scan.ply", "The number of handles, and their sizes.");
+  table.example("girth handles model.glb -o handles.glb", "The loops, as lines.");
   table.note(
       "Kinds",
       "A handle loop goes round the material and bounds a surface inside; a tunnel loop goes "
       "round a hole and bounds one outside. Unknown: the surface crosses itself so that it "
       "has no inside.");
-  table.note(
-      "May be shorter",
-      "Each loop is locally shortest, and is proven to be the shortest of those that could "
-      "take its place, as far as the time goes. Where it ends first, a line below says by how "
-      "much a shorter one could be shorter at most.");
+  table.note("May be shorter",
+             "Each loop is locally shortest. A proof that no shorter loop can take its place runs "
+             "for about five seconds. Where time ends first, a line below a loop states how much "
+             "shorter one could be at most.");
   return [options, writers] {
     return measure(
         *options,

@@ -43,10 +43,10 @@ Run add(OptionTable& table) {
   table.add("COMMAND", options->words,
             "A command, such as igf or study robustness; none: all commands");
   table.add("--pages DIR", options->pages,
-            "Write the manual pages, and completions for bash, zsh and fish, into this folder, as "
-            "they stand under share/");
+            "Write manual pages and completions (bash, zsh, fish) into this folder, laid out like "
+            "share/");
   table.example("girth help igf", "The options and examples of girth igf.");
-  table.example("girth help study robustness", "Of a command below another.");
+  table.example("girth help study robustness", "The options of a command within another.");
   table.example("girth help --pages ~/.local/share", "Manual pages and completions for yourself.");
   return [options] { return run(*options); };
 }

@@ -204,13 +204,13 @@ Run add(OptionTable& table) {
   addJobsOption(table, options->jobs);
   table.add("--json", options->json, "Print one JSON object for each model");
   table.example("girth info model.glb", "Size, unit, components, holes, and what was repaired.");
-  table.example("girth info scans/*.ply --json", "The same of many models, one JSON object each.");
+  table.example("girth info scans/*.ply --json", "Many models, one JSON object for each.");
   return [options] { return run(*options); };
 }
 
 }  // namespace
 }  // namespace info_command
 
-const Command kInfo{"info", "Print what a model is, and what was repaired", info_command::add};
+const Command kInfo{"info", "Describe a model, and what was repaired", info_command::add};
 
 }  // namespace girth::cli

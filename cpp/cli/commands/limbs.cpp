@@ -53,7 +53,7 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Fou
 
 Result<FoundLimbs> compute(const Options& options, const io::LoadedMesh& loaded) {
   if (options.profiles && options.output.ending() != ".csv") {
-    return usageError("--profiles is for a table",
+    return usageError("--profiles needs a table",
                       "write one: -o profiles.csv; JSON has the profiles anyway");
   }
   const auto persistence = persistenceOf(options.persistence, loaded);
@@ -95,7 +95,7 @@ Run add(OptionTable& table) {
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth limbs hand.glb", "Length and girth of each finger.");
   table.example("girth limbs hand.glb --profiles -o fingers.csv",
-                "How thick they are all along, for a spreadsheet.");
+                "The girth along each finger, for a spreadsheet.");
   return [options, writers] {
     return measure(
         *options, [&](const io::LoadedMesh& loaded) { return compute(*options, loaded); }, writers);
@@ -105,7 +105,6 @@ Run add(OptionTable& table) {
 }  // namespace
 }  // namespace limbs_command
 
-const Command kLimbs{"limbs", "Measure what each tip ends: fingers, arms, legs",
-                     limbs_command::add};
+const Command kLimbs{"limbs", "Measure limbs: fingers, arms, legs", limbs_command::add};
 
 }  // namespace girth::cli

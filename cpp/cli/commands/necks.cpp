@@ -73,9 +73,10 @@ Run add(OptionTable& table) {
                    "Write the necks: .json, .csv (a row for each), .obj or .glb (closed lines)");
   addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
-  table.example("girth necks vessel.stl --unit mm", "Where it is narrowest, and how narrow.");
+  table.example("girth necks vessel.stl --unit mm",
+                "The narrowest places, and how narrow they are.");
   table.example("girth necks model.glb --min-prominence 2mm -o necks.glb",
-                "The clear ones, as lines to look at.");
+                "The clear necks, as lines.");
   table.note("Prominence",
              "How far the girth rises on the best way over the surface to a narrower neck: small "
              "for a dent of noise, large for a waist between two bodies. A dash: there is no "

@@ -69,9 +69,7 @@ void printText(const Options& options, const io::LoadedMesh& loaded,
   row("least", least);
   row("greatest", *greatest);
   if (options.even) {
-    std::printf(
-        "  elsewhere between these places it may be less; without --even crossed edges count "
-        "too\n");
+    std::printf("  between these places it may be less; without --even crossed edges count too\n");
   }
 }
 
@@ -198,7 +196,7 @@ Run add(OptionTable& table) {
             "Places at equal distances, both ends among them; 100 by default, 0 for none. Along a "
             "limb, so many loops at most");
   table.add("--even", options->even,
-            "These only, and not where the path crosses edges and passes vertices");
+            "Only these places, none where the path crosses edges or passes vertices");
   addOutputOptions(table, options->output, {".csv", ".json", ".obj", ".glb"},
                    "Write the profile: .csv (a row for each place) or .json; along a limb also "
                    ".obj and .glb, its loops as lines");
@@ -209,7 +207,7 @@ Run add(OptionTable& table) {
   table.example("girth profile model.glb 12 431 97 --samples 500 --even -o profile.csv",
                 "Along a path drawn by three points, at 500 equal distances.");
   table.example("girth profile hand.glb --limb 0 -o finger.csv",
-                "Along the axis of the longest limb, which is that of a tube.");
+                "Along the axis of the longest limb.");
   return [options] { return run(*options); };
 }
 

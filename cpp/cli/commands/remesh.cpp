@@ -184,7 +184,7 @@ int run(const Options& options) {
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
   table.add("MODEL", options->model, "The model to read").required();
-  table.add("--faces N", options->faces, "At most so many triangles; 10000 by default")
+  table.add("--faces N", options->faces, "At most N triangles; 10000 by default")
       .range(4, kMostFaces);
   table.add("--even", options->even,
             "Triangles of even size and shape, instead of those that keep the surface's shape "
@@ -195,11 +195,11 @@ Run add(OptionTable& table) {
                   "2mm; keeps the other triangles, unless --faces is given");
   table
       .add("--smooth STEPS", options->smoothing,
-           "Take the wrinkles of a rough scan away, as with 3 steps, and leave limbs as thick as "
-           "they are; keeps the triangles, unless --faces is given")
+           "Remove the wrinkles of a rough scan, as with 3 steps, without thinning its limbs; "
+           "keeps the triangles, unless --faces is given")
       .range(0, kMostSmoothing);
   addOutputOptions(table, options->output, {".obj", ".ply", ".stl", ".off", ".glb"},
-                   "Write it: .obj, .ply, .stl, .off or .glb")
+                   "Write the surface: .obj, .ply, .stl, .off or .glb")
       .required();
   addModelOptions(table, options->preparing);
   table.add("--difference", options->difference,
@@ -212,8 +212,9 @@ Run add(OptionTable& table) {
   table.example("girth remesh model.glb --subdivide 50000 -o finer.obj",
                 "50,000 triangles of the same surface, where it has fewer.");
   table.example("girth remesh scan.ply --remove-handles 2mm --unit mm -o repaired.ply",
-                "Without the handles and tunnels that noise has made.");
-  table.example("girth remesh scan.ply --smooth 3 -o smooth.ply", "Without the wrinkles of noise.");
+                "The surface without the handles and tunnels of noise.");
+  table.example("girth remesh scan.ply --smooth 3 -o smooth.ply",
+                "The surface without the wrinkles of noise.");
   table.example("girth remesh model.glb --even -o even.ply --difference",
                 "Even triangles, and how much the girth changes with them.");
   return [options] { return run(*options); };

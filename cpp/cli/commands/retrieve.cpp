@@ -72,8 +72,7 @@ Run add(OptionTable& table) {
       .range(1, kPercent);
   table
       .add("--noise EDGES", options->fields.noise,
-           "Move every vertex of every model by up to so many mean edges first: how well shapes "
-           "are found again in rough scans; 0 by default")
+           "Noise added to every model, in mean edge lengths, as rough scans have it; 0 by default")
       .range(0, study::kMostNoise);
   table.add("--cache DIR", options->cache,
             "The folder in which computed fields are kept; cache in the report's folder by "
@@ -81,11 +80,11 @@ Run add(OptionTable& table) {
   table.add("--shard I/N", options->shard,
             "Only compute the fields of share I of N, from 0, into the cache; run without it when "
             "all are done");
-  table.add("--title TEXT", options->title, "What the report is called");
+  table.add("--title TEXT", options->title, "Title of the report");
   table.note(
       "Many models",
-      "One report on all of them, and so no --jobs: small models are computed --threads at a "
-      "time, large ones on all threads; --shard divides them among processes and machines.");
+      "All models have one report, so there is no --jobs. Small models are computed --threads at a "
+      "time, large ones on all threads. --shard divides them among processes and machines.");
   table.example("girth retrieve shapes/ -o report/",
                 "A report on a collection whose folders are its classes.");
   table.example("girth retrieve shapes/ -o report/ --shard 0/2",

@@ -117,14 +117,13 @@ Run add(OptionTable& table) {
   addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth segments figure.stl --unit mm --min-prominence 5mm -o segments.csv",
-                "A label for each face: its segment, what that is, and the tips that it ends in.");
+                "A row for each face: its segment, and the segment's kind and tips.");
   table.example("girth segments model.glb --min-prominence 5mm -o segments.glb",
                 "The segments in colours.");
   table.note("What a segment is",
-             "What lies between necks, as girth necks finds and girth cut --necks cuts them; of "
-             "necks that cross, the most prominent. Its kind is that of most of its area, as "
-             "girth parts divides it; its tips are those of girth tips. What has no neck, such as "
-             "a nose, is no segment of its own.");
+             "A segment lies between necks, as girth necks finds them; of necks that cross, only "
+             "the most prominent cuts. Most of its area has its kind, as in girth parts; its tips "
+             "are those of girth tips. A nose without a neck is no segment.");
   return [options, writers] {
     return measure(
         *options, [&](const io::LoadedMesh& loaded) { return compute(*options, loaded); }, writers);
@@ -134,7 +133,7 @@ Run add(OptionTable& table) {
 }  // namespace
 }  // namespace segments_command
 
-const Command kSegments{"segments", "Divide a body at its necks, and say what its parts are",
+const Command kSegments{"segments", "Divide a body at its necks, and classify the parts",
                         segments_command::add};
 
 }  // namespace girth::cli

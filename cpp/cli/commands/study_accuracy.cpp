@@ -116,20 +116,16 @@ Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
   table.add("MODEL", options->models, "Models to read").required();
   table
-      .add("--faces N", options->faces,
-           "At most so many triangles: larger models are remeshed; 0, the default: leave all as "
-           "they "
-           "are")
+      .add("--faces N", options->faces, "Remesh larger models to N triangles; 0, the default: none")
       .range(0, kMostFaces);
   addModelOptions(table, options->preparing);
   addThreadsOption(table, options->threads);
   table.note("Many models",
-             "One at a time: both methods are timed, and what else ran would slow them down. So "
-             "there is no --jobs.");
+             "Both methods are timed, so models run one at a time, and there is no --jobs.");
   table.example("girth study accuracy model.off",
                 "Median and 95th percentile of the error, and processor time of both methods.");
   table.example("girth study accuracy *.off --faces 5000",
-                "Of many models, the larger ones with 5,000 triangles.");
+                "Many models, larger ones remeshed to 5,000 triangles.");
   return [options] { return run(*options); };
 }
 

@@ -97,7 +97,7 @@ int run(const Options& options) {
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
   table.add("MODEL", options->model, "The model to change").required();
-  table.add("--poses MODEL", options->poses, "The same thing in other poses; several may follow")
+  table.add("--poses MODEL", options->poses, "Other poses of the model; several may follow")
       .greedy();
   table
       .add("--size N", options->study.faces,
@@ -110,19 +110,21 @@ Run add(OptionTable& table) {
       .range(4, kMostFaces);
   table
       .add("--stretch FACTOR", options->study.stretch,
-           "How much longer uneven triangles are in one direction; 4 by default")
+           "Stretch of uneven triangles in one direction; 4 by default")
       .range(1, 100);
   table
       .add("--noise EDGES,...", options->study.noise,
-           "How far vertices are moved at most, in mean edges; 0.25,0.5 by default")
+           "Greatest displacement of vertices, in mean edge lengths; 0.25,0.5 by default")
       .separated()
       .range(0, study::kMostNoise);
-  table.add("--seed N", options->study.seed, "Of the noise; 1 by default");
-  table.add("--bridges N", options->study.bridges, "Places where parts grow together; 2 by default")
+  table.add("--seed N", options->study.seed, "Seed of the noise; 1 by default");
+  table
+      .add("--bridges N", options->study.bridges,
+           "Number of places where parts are joined; 2 by default")
       .range(1, kMostPlaces);
   table
       .add("--handles N,...", options->study.tinyHandles,
-           "Also with so many tiny handles, and after they were removed")
+           "Numbers of tiny handles to add, measured before and after their removal")
       .separated()
       .range(1, kMostPlaces);
   addPersistenceShareOption(table, options->study.persistence, "");
@@ -133,7 +135,7 @@ Run add(OptionTable& table) {
   table.example("girth study robustness model.off --size 8000 --sizes 2000,5000",
                 "Other triangles, noise, humps and topology.");
   table.example("girth study robustness horse0.off --poses horse5.off horse6.off",
-                "And other poses of the same thing.");
+                "The same with other poses.");
   table.example("girth study robustness scan.ply --noise 0.5,1,2 --persistence 2%",
                 "The persistent girth, under noise of up to two edges.");
   table.example("girth study robustness model.off --bridges 5 --handles 1,5,20",

@@ -117,9 +117,8 @@ Run add(OptionTable& table) {
   addOutputOptions(table, options->output, writers.endings(),
                    "Write the tips: .json, or .obj (their contours)");
   table.add("--stability", options->stability,
-            "Also find the tips with each triangle cut into four, and with noise of 5, 10 and 25% "
-            "of the mean edge length, and print which are found again; takes about twelve times as "
-            "long");
+            "Also print which tips are found again with each triangle cut into four, and with "
+            "noise of 5, 10 and 25% of the mean edge length; takes about twelve times as long");
   table
       .add("--noise EDGES,...", options->noise,
            "Other amounts of noise, in mean edge lengths, as in 0.5,1")
@@ -129,9 +128,9 @@ Run add(OptionTable& table) {
   addPersistenceOption(table, options->persistence);
   addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
-  table.example("girth tips hand.glb -o tips.json", "Where the shape ends, each with its contour.");
+  table.example("girth tips hand.glb -o tips.json", "The tips of a hand, each with its contour.");
   table.example("girth tips hand.glb --stability",
-                "And which are found again in finer triangles and under noise.");
+                "The tips, and which are found again in finer triangles and under noise.");
   return [options, writers] {
     return measure(
         *options, [&](const io::LoadedMesh& loaded) { return compute(*options, loaded); }, writers);

@@ -125,9 +125,10 @@ Result<io::LoadedMesh> loadModelWithoutNotes(const std::string& path, const Mode
   if (const io::LengthUnit* shown = io::findLengthUnit(options.shownUnit)) {
     const io::LengthUnit* own = io::findLengthUnit(read.unit);
     if (own == nullptr) {
-      return usageError("the unit of the file's numbers is not known, so they cannot be had in " +
-                            options.shownUnit,
-                        "give it with --unit");
+      return usageError(
+          "the unit of the file's numbers is not known, so they cannot be converted to " +
+              options.shownUnit,
+          "give it with --unit");
     }
     prepare.scale *= own->metres / shown->metres;
     read.unit = shown->name;

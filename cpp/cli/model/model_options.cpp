@@ -16,8 +16,8 @@ void addModelOptions(OptionTable& table, ModelOptions& options) {
             "times");
   table
       .add("--min-component SHARE", options.minComponent,
-           "Leave out components of a smaller share of the largest one's area, as in 1e-6; by "
-           "default none")
+           "Leave out components with less than this share of the largest component's area, as in "
+           "1e-6; by default none")
       .range(0, 1);
   std::vector<std::string> units;
   for (const io::LengthUnit& unit : io::lengthUnits()) units.emplace_back(unit.symbol);
@@ -29,12 +29,12 @@ void addModelOptions(OptionTable& table, ModelOptions& options) {
       .oneOf(units);
   table
       .add("--in UNIT", options.shownUnit,
-           "The unit that lengths are typed and come out in; by default that of the file")
+           "The unit of typed and written lengths; by default that of the file")
       .oneOf(units);
-  table.add("--scale N", options.scale, "Make the model so many times as large").range(1e-12, 1e12);
+  table.add("--scale N", options.scale, "Factor to scale the model by").range(1e-12, 1e12);
   table
       .add("--height LENGTH", options.height,
-           "Make the model so high, as in 900mm; a unit here states the model's")
+           "Height to scale the model to, as in 900mm; its unit becomes the model's")
       .excludes("--scale");
   table
       .add("--up AXIS", options.up,
@@ -48,15 +48,14 @@ void addModelOptions(OptionTable& table, ModelOptions& options) {
 void addSubdivideOption(OptionTable& table, ModelOptions& options) {
   table
       .add("--subdivide N", options.subdivide,
-           "Cut triangles until there are N, if there are fewer; the surface stays as it is")
+           "Divide triangles until there are N; the surface stays as it is")
       .range(4, kMostFaces)
       .formerly("--refine");
 }
 
 void addFacesOption(OptionTable& table, ModelOptions& options) {
   table
-      .add("--faces N", options.faces,
-           "Measure on at most so many triangles: a larger model is remeshed to them")
+      .add("--faces N", options.faces, "Measure on at most N triangles: larger models are remeshed")
       .range(4, kMostFaces)
       .excludes("--subdivide");
 }

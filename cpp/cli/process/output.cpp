@@ -53,14 +53,14 @@ Option& addOutputOptions(OptionTable& table, Output& output, std::vector<std::st
   Option& option = table.add("-o,--output FILE", output.path, std::move(text));
   table
       .add("--format FORMAT", output.format,
-           "What to write, where the output's name does not end with it, as with -o -, which is "
-           "standard output: " +
+           "Format to write, where the output's name has no ending, as standard output, -o -, has "
+           "none: " +
                listed(formatsOf(output.endings)))
       .oneOf(formatsOf(output.endings))
       .needs("--output");
   table
       .add("--force", output.force,
-           "Let the output replace the model itself, or what a stopped run has left")
+           "Let the output replace the model, or the file of a stopped run")
       .needs("--output");
   return option;
 }
@@ -71,7 +71,7 @@ std::optional<Error> checkOutput(const Output& output, std::span<const std::stri
   const auto& endings = output.endings;
   if (std::find(endings.begin(), endings.end(), output.ending()) == endings.end()) {
     if (output.isStandardOutput()) {
-      return usageError("it is not said what to write to standard output",
+      return usageError("the format for standard output is missing",
                         "add --format " + listed(formatsOf(endings)));
     }
     return usageError("the output's name has no known ending",

@@ -64,7 +64,7 @@ Result<VertexFunction<double>> shapeDiameterFunction(
 GIRTH_EXPORT bool isInsideOut(const SurfaceMesh& mesh);
 
 /// Remarks on the values for people, in sentences: that the surface is inside out, that so
-/// many of its vertices have no thickness. Empty where there is no remark.
+/// many of its vertices have no shape diameter. Empty where there is no remark.
 GIRTH_EXPORT std::string shapeDiameterNote(bool insideOut, Index withoutValue, Index vertices);
 
 }  // namespace girth

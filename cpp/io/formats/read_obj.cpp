@@ -253,7 +253,7 @@ class ObjReader {
     Error error = makeError(
         ErrorCode::EmptyMesh, -1,
         "it has " + std::to_string(vertices) + " vertices, but no faces: points or lines only");
-    error.hint = "export the faces, too; of a point cloud, make a surface first";
+    error.hint = "export the faces, too; a point cloud needs a surface first";
     return error;
   }
 

@@ -161,7 +161,7 @@ class AsciiOffReader : OffReader {
     if (auto error = readFaces(counts[1])) return *error;
     if (!words_.atEnd()) {
       if (isCounted()) return failure("more numbers than it counts");
-      model.notes.push_back("What follows the last face was left out.");
+      model.notes.push_back("Data after the last face were left out.");
     }
     isWhole_ = model.notes.empty() && faces.polygonCount() == static_cast<std::size_t>(counts[1]);
     return finish("line", LostVertices::Element::Place);
@@ -290,7 +290,7 @@ class BinaryReader : OffReader {
     if (auto error = readVertices(counts[0])) return *error;
     if (auto error = readFaces(counts[1])) return *error;
     if (cursor_.remaining() > 0) {
-      model.notes.push_back("What follows the last face was left out.");
+      model.notes.push_back("Data after the last face were left out.");
     }
     return finish("byte", LostVertices::Element::Vertex);
   }

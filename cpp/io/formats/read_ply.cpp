@@ -729,7 +729,7 @@ class BodyReader {
     std::string list = names[0];
     for (std::size_t i = 1; i < std::min(names.size(), kMost); ++i) list += ", " + names[i];
     if (names.size() > kMost) list += ", ...";
-    model_.notes.push_back("What its faces have besides corners was left out: " + list + ".");
+    model_.notes.push_back("Properties of its faces were left out: " + list + ".");
   }
 
   Result<ReadModel> finish() {

@@ -252,7 +252,7 @@ Result<ReadModel> readBinary(std::span<const std::byte> bytes) {
   }
   if (hasMore) {
     model.notes.push_back(
-        "What stands behind triangles, where some programs have colours, was left out.");
+        "Bytes behind triangles, where some programs have colours, were left out.");
   }
   const std::uint64_t used = kHeaderSize + count * kTriangleSize;
   if (used < bytes.size()) {

@@ -184,14 +184,14 @@ std::string shapeDiameterNote(bool insideOut, Index withoutValue, Index vertices
   std::string note;
   if (insideOut) {
     note =
-        "the surface is inside out: its faces look inwards, and thickness is measured outside; "
+        "the surface is inside out: its faces look inwards, and rays go outside; "
         "turn "
         "the faces over";
   }
   if (withoutValue > 0) {
     note += (note.empty() ? "" : ". ") + std::to_string(withoutValue) + " of " +
             std::to_string(vertices) +
-            " vertices have no thickness: no ray from them meets a wall from inside";
+            " vertices have no shape diameter: no ray from them meets a wall from inside";
   }
   return note;
 }

@@ -85,13 +85,13 @@ TEST_F(Command, whatIsNoProperBodyGetsAnAnswerOrAReason) {
   struct Case {
     const char* name;
     std::string content;
-    bool hasThickness;  // somewhere, to be checked
-    const char* note;   // on standard error
+    bool hasDiameter;  // somewhere, to be checked
+    const char* note;  // on standard error
   };
   const std::string sheet = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
   const Corner zero{0, 0, 0};
   for (const Case& c :
-       {Case{"open", sheet, false, "have no thickness"},
+       {Case{"open", sheet, false, "have no shape diameter"},
         Case{"inside_out", Boxes().add(zero, {2, 2, 2}, true).text(), false, "inside out"},
         Case{"one_in_another", Boxes().add(zero, {4, 4, 4}).add({1, 1, 1}, {2, 2, 2}).text(), true,
              ""},
@@ -99,15 +99,15 @@ TEST_F(Command, whatIsNoProperBodyGetsAnAnswerOrAReason) {
              ""},
         Case{"crossing", Boxes().add(zero, {4, 1, 1}).add({1.5, -1, 0.2}, {2, 2, 0.8}).text(), true,
              ""},
-        Case{"no_volume", sheets(), false, "have no thickness"},
+        Case{"no_volume", sheets(), false, "have no shape diameter"},
         Case{"box_without_height", Boxes().add(zero, {4, 4, 0}).text(), false,
-             "have no thickness"}}) {
+             "have no shape diameter"}}) {
     const std::string file = write(std::string(c.name) + ".obj", c.content);
     const Outcome field = run({"field", file, "--field", "sdf", "--json"});
     EXPECT_EQ(field.exitCode, 0) << c.name << field.errors;
     const Json values = Json::parse(field.output);
-    EXPECT_EQ(values["withValue"] > 0, c.hasThickness) << c.name;
-    EXPECT_EQ(values["max"].is_null(), !c.hasThickness) << c.name;
+    EXPECT_EQ(values["withValue"] > 0, c.hasDiameter) << c.name;
+    EXPECT_EQ(values["max"].is_null(), !c.hasDiameter) << c.name;
     EXPECT_NE(field.errors.find(c.note), std::string::npos) << c.name << field.errors;
 
     const Outcome tips = run({"tips", file, "--json"});
@@ -117,19 +117,19 @@ TEST_F(Command, whatIsNoProperBodyGetsAnAnswerOrAReason) {
     const Outcome parts = run({"parts", file});
     EXPECT_EQ(parts.exitCode, 0) << c.name << parts.errors;
     EXPECT_EQ(parts.output.find("nan"), std::string::npos) << parts.output;
-    EXPECT_EQ(parts.output.find("unknown") != std::string::npos, !c.hasThickness) << parts.output;
+    EXPECT_EQ(parts.output.find("unknown") != std::string::npos, !c.hasDiameter) << parts.output;
 
     // The girth can be checked of any surface.
     const Outcome tube = run({"parts", file, "--min-tube", "0.01"});
     EXPECT_EQ(tube.exitCode, 0) << c.name << tube.errors;
     EXPECT_EQ(run({"parts", file, "--min-tube", "100"}).exitCode, 4) << c.name;
     const Outcome wall = run({"parts", file, "--min-wall", "0.01"});
-    EXPECT_EQ(wall.exitCode, c.hasThickness ? 0 : 2) << c.name << wall.errors;
-    if (!c.hasThickness) {
+    EXPECT_EQ(wall.exitCode, c.hasDiameter ? 0 : 2) << c.name << wall.errors;
+    if (!c.hasDiameter) {
       EXPECT_EQ(wall.output, "") << c.name;
       EXPECT_NE(wall.errors.find("NO_THICKNESS"), std::string::npos) << c.name << wall.errors;
     }
-    EXPECT_EQ(run({"parts", file, "--min-wall", "100"}).exitCode, c.hasThickness ? 4 : 2) << c.name;
+    EXPECT_EQ(run({"parts", file, "--min-wall", "100"}).exitCode, c.hasDiameter ? 4 : 2) << c.name;
   }
 }
 

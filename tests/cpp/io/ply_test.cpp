@@ -400,8 +400,7 @@ TEST(Ply, coloursOfFacesAreLeftOutWithANote) {
       "a.ply");
   ASSERT_TRUE(model.ok()) << messageOf(model);
   EXPECT_EQ(model.value().notes,
-            std::vector<std::string>{
-                "What its faces have besides corners was left out: \"red\", \"green\"."});
+            std::vector<std::string>{"Properties of its faces were left out: \"red\", \"green\"."});
 }
 
 TEST(BadPly, countsAreNotTrusted) {

@@ -150,7 +150,7 @@ Result<std::vector<Options>> optionsOfEach(const Options& options) {
     one.threads = threadsOfJob(options.threads, options.jobs);
     if (isFolder) {
       if (options.output.format.empty()) {
-        return usageError("it is not said what to write into the folder",
+        return usageError("the format of the files in the folder is missing",
                           "add --format csv, for instance");
       }
       one.output.path = pathInFolder(options.output.path, model, options.output.ending());
@@ -220,26 +220,25 @@ Run add(OptionTable& table) {
       .oneOf({"exact", "refined", "naive", "ms"});
   table
       .add("--audit N", options->audit,
-           "Of the refined method: compare with the exact one at so many vertices, drawn at "
-           "random; " +
+           "With --method refined: number of random vertices to compare with the exact method; " +
                std::to_string(options->audit) + " by default")
       .range(0, 1'000'000)
       .onlyFor("--method", {"refined"});
   table
-      .add("--faces N", options->faces,
-           "Compute on at most so many triangles: a larger model is remeshed to them, and the "
-           "values are carried back")
+      .add(
+          "--faces N", options->faces,
+          "Compute on at most N triangles: larger models are remeshed, and the values carried back")
       .range(4, kMostFaces);
   addSubdivideOption(table, options->preparing);
   addPersistenceOption(table, options->persistence);
   table
       .add("--barcode FILE", options->barcodes.path,
-           "Also write every saddle of every vertex, where it is born and where it dies, as far as "
-           "--persistence needs them, without it all: .json, .csv or .npy")
+           "Also write the birth and death of every saddle of every vertex; with --persistence "
+           "only the saddles that it needs: .json, .csv or .npy")
       .excludes("--faces");
   table
       .add("--resume", options->resume,
-           "Go on from what a stopped run has left beside the output, FILE.partial.csv")
+           "Continue a stopped run from FILE.partial.csv beside the output")
       .needs("--output")
       .excludes("--barcode");
   addPositionsOption(table, options->positions);
@@ -255,7 +254,7 @@ Run add(OptionTable& table) {
   addThreadsOption(table, options->threads);
   addJobsOption(table, options->jobs);
   table.add("--json", options->json, "Print the summary as one JSON object for each model");
-  table.add("--stats", options->stats, "Print what the computation took");
+  table.add("--stats", options->stats, "Print the time and memory of the computation");
   table.note(
       "Which method",
       "exact, the default: 0.3 to 3 s of one processor for 10,000 triangles, and more than in "
@@ -272,10 +271,10 @@ Run add(OptionTable& table) {
       "The girth is the first loop, however shallow the saddle that it lies on: on a rough "
       "scan that may be a wrinkle. --persistence passes over saddles that do not last. Start "
       "with the height of the noise; 2% of 10,000 triangles takes five times as long.");
-  table.note("What else there is",
-             "girth field has thickness, shape diameter (sdf), centricity, angles and signatures; "
-             "girth loop the loop "
-             "itself, girth parts tubes and plates, girth tips where the shape ends.");
+  table.note(
+      "Related commands",
+      "girth field: thickness, shape diameter (sdf), centricity, angles and signatures. girth "
+      "loop: one loop. girth parts: tubes and plates. girth tips: where the shape ends.");
   table.example("girth igf model.glb -o values.csv",
                 "The girth at every vertex of the file: vertex, igf, kind.");
   table.example("girth igf model.glb -o model_girth.glb",
@@ -285,13 +284,13 @@ Run add(OptionTable& table) {
       "A figure for a page: the element shows it with two loops and the tips, and computes "
       "nothing.");
   table.example("girth igf *.off --jobs 4 --json -o values/ --format csv",
-                "Of many models, four at a time: values/NAME.csv, and a JSON object for each.");
+                "Many models, four at a time: values/NAME.csv, and a JSON object for each.");
   table.example("girth igf scan.ply --faces 10000 -o values.csv",
-                "Of a large model: computed on 10,000 triangles, carried back to its vertices.");
+                "A large model: computed on 10,000 triangles, carried back to its vertices.");
   table.example("girth igf scan.ply --method refined -o values.csv",
-                "Of a large model at all its vertices: vertex, igf, kind, state.");
+                "A large model at all its vertices: vertex, igf, kind, state.");
   table.example("girth igf scan.ply --persistence 2% -o values.csv",
-                "Of a rough model: loops round wrinkles and dents are passed over.");
+                "A rough model: loops round wrinkles and dents are left out.");
   return [options] { return run(*options); };
 }
 
