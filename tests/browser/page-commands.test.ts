@@ -164,7 +164,7 @@ test('a combobox with a list, driven by keys; the focus comes back', async () =>
   }
   await search('qqqq');
   expect([await active(), await input.getAttribute('aria-expanded')]).toEqual([null, 'false']);
-  expect(await palette.locator('[role=status]').textContent()).toBe('Nothing is called so.');
+  expect(await palette.locator('[role=status]').textContent()).toBe('No command has this name.');
   await page.keyboard.press('Enter');
   await page.keyboard.press('Escape');
   await palette.waitFor({ state: 'hidden' });

@@ -1,5 +1,5 @@
 // Necks, handles and tunnels on the page: found, listed, shown, and the surface cut along them; what is between two
-// points; short handles taken away.
+// points; short handles removed.
 
 import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
@@ -528,7 +528,7 @@ test('what the triangles make is not listed, and short handles are taken away an
   await panel.getByText('No handle and no tunnel').waitFor({ timeout: 60_000 });
   await picture(page, 'page-handles-removed.png');
   await page.locator('#details-open').click();
-  await page.getByText('Short handles taken away: 1 handle cut; genus 1 before, 0 now').waitFor();
+  await page.getByText('Short handles removed: 1 handle cut; genus 1 before, 0 now').waitFor();
   await page.keyboard.press('Escape');
 
   const genusIs = (genus: number) =>
@@ -627,10 +627,10 @@ test('of necks that cross the first counts, and the panel says so', async () => 
     Object.assign(element, { necks: () => Promise.resolve({ necks: crossing, unresolved }) });
   });
   const panel = await openPanel(page, 'necks');
-  await panel.getByRole('button', { name: 'Cut at all 2 necks' }).click({ timeout: 60_000 });
+  await panel.getByRole('button', { name: 'Cut at 2 necks' }).click({ timeout: 60_000 });
   await panel
     .getByText(
-      'Cut, and still one part: the loops separate nothing. 1 of the 2 necks is passed over: it crosses one that stands out more.',
+      'Cut, and still one part: the loops separate nothing. 1 of the 2 necks is passed over: it crosses a more prominent one.',
     )
     .waitFor();
   await expect.poll(() => fragment(page)).toContain('cut=necks');
@@ -713,7 +713,7 @@ test('a link shows the bottleneck of two points from where it was seen; points t
   await expect.poll(() => parts.count()).toBe(3);
   for (const [text, words] of [
     ['0', /^Type a length/],
-    ['100 m', 'Not cut: the girth has this value nowhere.'],
+    ['100 m', 'Not cut: the girth never has this value.'],
   ] as const) {
     await girthInput.fill(text);
     await page.keyboard.press('Enter');

@@ -147,7 +147,7 @@ test('a new version is fetched by what has changed, offered, and there after a r
   await page.reload();
   const note = page.locator('.note');
   await note.waitFor();
-  expect(await note.textContent()).toContain('A new version is there.');
+  expect(await note.textContent()).toContain('A new version is available.');
   // All else is as it was.
   expect(server.requests.filter((path) => path !== '/service-worker.js')).toEqual(['/']);
   expect(await editions(page)).toEqual([]);

@@ -153,7 +153,7 @@ test('a handle is read again, as the file is now; one that is gone is said to be
   await page.locator('#recent li button').first().click();
   await expect
     .poll(() => page.locator('#recent [role=status]').textContent())
-    .toBe('mine.obj could not be read again: it is not where it was.');
+    .toBe('mine.obj could not be read again: it was moved or deleted.');
 });
 
 test.each([

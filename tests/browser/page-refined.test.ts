@@ -107,7 +107,7 @@ test('the length under the pointer is there before its loop', async () => {
   const place = await placeOnSurface(viewer, 0.3, 0.4);
   await page.mouse.move(place.x, place.y);
   const readout = viewer.locator('.readout');
-  await readout.getByText('As the colours have it; the loop follows.').waitFor();
+  await readout.getByText('Read off the colours; the loop follows.').waitFor();
   const before = Number(await readout.getAttribute('data-length'));
   const base = JSON.parse((await readout.getAttribute('data-base'))!) as SurfacePoint;
   await page.evaluate(() => (globalThis as unknown as { letGo(): void }).letGo());

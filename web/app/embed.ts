@@ -16,7 +16,7 @@ function say(words: string): void {
 function follow(): void {
   const state = Object.fromEntries(new URLSearchParams(location.hash.slice(1))) as ViewerState;
   if (!state.src) {
-    say('The address of this frame names no model: it is to end in #src= and the address of one.');
+    say('The address of this frame names no model: it must end in #src= and the address of one.');
     return;
   }
   try {

@@ -339,7 +339,7 @@ viewer.addEventListener('load', (event) => {
   const { removal } = viewer;
   const made = [
     ...(remeshed ? [remeshed.words] : []),
-    ...(removal ? [`short handles taken away: ${removalWords(removal)}`] : []),
+    ...(removal ? [`short handles removed: ${removalWords(removal)}`] : []),
   ];
   details.show(info, { prepare, made });
   for (const panel of [field, tips, limbs, necks, parts]) panel.clear();

@@ -81,7 +81,7 @@ function makeOffer(take: () => void): Offer {
     isTaken: false,
     show: () => {
       note.hidden = false;
-      words.textContent = 'A new version is there.';
+      words.textContent = 'A new version is available.';
     },
   };
   reload.addEventListener('click', () => {

@@ -73,7 +73,7 @@ test('a project is read as it was written, to the bit', async () => {
   expect(read.resultsFor(geometry)).toEqual(results);
 });
 
-test('a refined girth keeps its states and its audit; states that are none are refused', async () => {
+test('a refined girth keeps its states and its audit; states that are invalid are refused', async () => {
   const audit = {
     ...{ vertices: 200, equal: 198, atLeast: 0.96, atMost: 0.997, median: 0 },
     ...{ percentile95: 0, greatest: 0.05 },
@@ -85,7 +85,7 @@ test('a refined girth keeps its states and its audit; states that are none are r
   expect(readProject(all)!.resultsFor(geometry)!.fields).toEqual([refined]);
   const wrong = { ...unzipSync(all), 'results/igf-states.u8': Uint8Array.of(0, 3, 1) };
   const read = readProject(zipSync(wrong))!;
-  expect(() => read.resultsFor(geometry)).toThrow('a state is none');
+  expect(() => read.resultsFor(geometry)).toThrow('a state is invalid');
 });
 
 test('results are those of one surface, and of no other', async () => {
@@ -104,7 +104,7 @@ test('which number of its signature a field was is in the state', () => {
   expect(spectralIn({ time: 0.5 }, 'igf')).toBeUndefined();
 });
 
-test('other zips are none, and neither is what is no zip', async () => {
+test('other zips are invalid, and neither is what is no zip', async () => {
   expect(readProject(zipSync({ 'a.obj': strToU8('v 0 0 0') }))).toBeUndefined();
   expect(readProject(strToU8('nothing at all'))).toBeUndefined();
   expect(readProject((await written()).slice(0, 200))).toBeUndefined();
@@ -144,8 +144,8 @@ test.each([
 test.each([
   ['values of another number', () => changed({ 'results/igf.f64': new Uint8Array(16) }), /size/],
   ['no values', () => changed({ 'results/igf.f64': undefined }), /size/],
-  ['no numbers', () => changed({ 'results/igf.f64': infinite() }), /are none/],
-  ['no kinds', () => changed({ 'results/igf-kinds.u8': Uint8Array.of(0, 3, 1) }), /are none/],
+  ['no numbers', () => changed({ 'results/igf.f64': infinite() }), /are invalid/],
+  ['no kinds', () => changed({ 'results/igf-kinds.u8': Uint8Array.of(0, 3, 1) }), /are invalid/],
   ['no field', () => manifest({ fields: [{ name: '../igf' }] }), /no field/],
   ['half a loop', () => manifest({ loops: [{ base: '3' }] }), /midpoint is no list/],
 ])('results with %s are refused', async (_, made, message) => {

@@ -91,7 +91,7 @@ export class Palette {
     this.#list.replaceChildren(...this.#shown.map((action, i) => row(action, i)));
     this.#list.hidden = count === 0;
     this.#input.setAttribute('aria-expanded', String(count > 0));
-    if (count === 0) this.#said.textContent = 'Nothing is called so.';
+    if (count === 0) this.#said.textContent = 'No command has this name.';
     else this.#said.textContent = count === 1 ? '1 command' : `${formatCount(count)} commands`;
     this.#mark(0);
   }

@@ -191,7 +191,7 @@ export function offerExports(
         { content: textFile(await viewer.drawing(figure.drawing)) },
       ]),
     ),
-    entry('svg', 'plots that are seen, as lines', () =>
+    entry('svg', 'visible plots, as lines', () =>
       save('-plot', 'svg', () => {
         const seen = plots().flatMap(({ word, svg }) => {
           const text = svg(figure.drawing.width);

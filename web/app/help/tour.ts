@@ -23,7 +23,7 @@ const steps: readonly Step[] = [
   },
   {
     words:
-      'At the end of an arm it slips off: nothing can be looped round any more, and the girth jumps. What the jump cuts off is a tip; the panel lists them.',
+      'At the end of an arm it slips off: nothing can be looped round any more, and the girth jumps. The part that it cuts off is a tip; the panel lists tips.',
     panel: 'tips',
     slides: true,
   },

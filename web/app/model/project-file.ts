@@ -191,7 +191,7 @@ function fieldOf(
   const kinds = name === 'igf' ? bytesOf(kindsPath(name), count) : new Uint8Array(0);
   const isNumber = values.every((value) => Number.isNaN(value) || Number.isFinite(value));
   if (!isNumber || kinds.some((kind) => kind > 2)) {
-    throw fault('MALFORMED_FILE', `the values of ${name} are none`);
+    throw fault('MALFORMED_FILE', `the values of ${name} are invalid`);
   }
   let [low, high, withoutValue] = [Infinity, -Infinity, 0];
   for (const value of values) {
@@ -221,7 +221,7 @@ function refinement(
   about: Json,
   states: Uint8Array,
 ): Pick<RefinedGirth, 'states' | 'audit' | 'coarseFaces' | 'leanFaces'> {
-  if (states.some((state) => state > 2)) throw fault('MALFORMED_FILE', 'a state is none');
+  if (states.some((state) => state > 2)) throw fault('MALFORMED_FILE', 'a state is invalid');
   const audit = objectOf(about['audit'], 'audit');
   const of = (name: keyof GirthAudit): number => numberOf(audit[name], `the audit’s ${name}`);
   return {
@@ -246,7 +246,7 @@ function loopOf(about: Json): Loop {
     numberOf(one, 'polyline'),
   );
   if (base === undefined || kind === undefined || z === undefined || polyline.length % 3 !== 0) {
-    throw fault('MALFORMED_FILE', 'a loop is none');
+    throw fault('MALFORMED_FILE', 'a loop is invalid');
   }
   return {
     ...{ base, kind, polyline, points: [], midpoint: [x!, y!, z] },

@@ -196,7 +196,7 @@ export class RecentFiles {
       },
       (error: unknown) => {
         const isGone = error instanceof DOMException && error.name === 'NotFoundError';
-        const why = isGone ? 'it is not where it was' : failureWords(error);
+        const why = isGone ? 'it was moved or deleted' : failureWords(error);
         this.#said.textContent = `${name} could not be read again: ${why}.`;
         if (!this.#sheet.matches(':popover-open')) this.#sheet.showPopover();
         return [];

@@ -105,7 +105,7 @@ export class SizeChoice {
     const isOdd = unit !== '' && isUnusual(height, unit);
     this.#words.textContent =
       unit === ''
-        ? 'How large it is nobody knows: choose the unit, or type the height with its unit.'
+        ? 'The size is unknown: choose the unit, or type the height with its unit.'
         : `${tallWords(height, lengthFormat)}${scaled}${isOdd ? ': really?' : ''}`;
     this.#words.classList.toggle('odd', isOdd);
   }

@@ -98,7 +98,7 @@ export class FieldPanel {
   });
   readonly #categories = new CategoryShares();
   readonly #second: SecondField;
-  readonly #ofFile = make('optgroup', { label: 'Of the file', hidden: '' });
+  readonly #ofFile = make('optgroup', { label: 'From the file', hidden: '' });
   /** The option that only a refined girth has. */
   readonly #states: HTMLOptionElement;
   readonly #signature: SignatureChoice;

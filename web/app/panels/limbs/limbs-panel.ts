@@ -89,16 +89,16 @@ export class LimbsPanel {
       found: ({ limbs }) => {
         this.#show();
         this.#showAxis();
-        return limbs.length === 0 ? 'No tip ends anything that is longer than it is thick.' : '';
+        return limbs.length === 0 ? 'No limb before a tip is longer than thick.' : '';
       },
     });
     this.panel.body.append(
       make(
         'p',
         { class: 'hint' },
-        'A limb is what a ',
+        'A limb ends in a ',
         term('tip', 'tip'),
-        ' ends: a finger, an arm, a leg. Move along a plot to slide its ',
+        ': a finger, an arm, a leg. Move along a plot to slide its ',
         term('loop', 'loop'),
         '; click to pin it. Solid: the least girth there, dashed: the median.',
       ),

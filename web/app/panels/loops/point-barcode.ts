@@ -39,7 +39,11 @@ export class PointBarcode {
       this.#bars,
       this.#ends,
       this.#words,
-      make('p', { class: 'hint' }, 'A bar lasts until a side of its loop is filled: point at it.'),
+      make(
+        'p',
+        { class: 'hint' },
+        'Bars are loops through saddles of the distance from the point. A bar ends where its loop has filled a side.',
+      ),
     );
     this.element.hidden = true;
     viewer.addEventListener('fieldchange', () => this.#draw());
@@ -152,7 +156,7 @@ export class PointBarcode {
   #wordsOf({ birth, death }: Bar): string {
     const { lengthFormat, info } = this.#viewer;
     const loop = `Loop of ${formatLength(2 * birth, lengthFormat)}`;
-    if (death === Infinity) return `${loop}: cuts nothing off, or what is never filled`;
+    if (death === Infinity) return `${loop}: no side is ever filled`;
     const lasts = death - birth;
     const percent = ((100 * lasts) / Math.sqrt(info?.area ?? 1)).toPrecision(2);
     return `${loop}: a side is filled ${formatLength(lasts, lengthFormat)} farther (${Number(percent)}\u202f% of √area)`;

@@ -48,8 +48,8 @@ export interface CutCurves {
 }
 
 const passing: Record<CutCurves['are'], string> = {
-  necks: 'one that stands out more',
-  loops: 'one that was pinned before',
+  necks: 'a more prominent one',
+  loops: 'an earlier pinned one',
 };
 
 /** A sentence on the cut, where `used` of `wanted` loops were cut along. */
@@ -135,7 +135,7 @@ export class CutParts {
       if (isPast()) return;
       if (curves.length === 0) {
         this.mend();
-        this.#words.textContent = 'Not cut: the girth has this value nowhere.';
+        this.#words.textContent = 'Not cut: the girth never has this value.';
         this.#changed();
         return;
       }

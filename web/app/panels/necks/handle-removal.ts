@@ -49,7 +49,7 @@ export class HandleRemovalForm {
       if (!this.#length.commit()) return;
       const { length } = this.#length;
       if (length === undefined) {
-        this.#words.textContent = 'Type a length: shorter handles and tunnels are taken away.';
+        this.#words.textContent = 'Type a length: shorter handles and tunnels are removed.';
         return;
       }
       void remove(length).then((removal) => {

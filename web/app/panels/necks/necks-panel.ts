@@ -112,7 +112,7 @@ export class NecksPanel {
       },
       asked: () => this.#keep(),
     });
-    this.#least = new LengthInput('neck-prominence', 'Standing out by', {
+    this.#least = new LengthInput('neck-prominence', 'Prominence from', {
       changed: () => {
         this.#choose(undefined);
         this.#refresh();
@@ -147,7 +147,7 @@ export class NecksPanel {
       if (!this.#girth.commit()) return;
       const { length } = this.#girth;
       if (length !== undefined && length > 0) this.#cutAlong(cutAt(length));
-      else this.#girthWords.textContent = 'Type a length: thinner is cut off from thicker there.';
+      else this.#girthWords.textContent = 'Type a length: the cut runs where the girth has it.';
     });
     viewer.addEventListener('pick', (event) => {
       const { action } = event.detail;
@@ -335,7 +335,7 @@ export class NecksPanel {
       this.#least.label.hidden = all === 0;
       this.#leastWords.textContent =
         all > necks.length && this.#least.length === undefined
-          ? 'Empty: by a hundredth of their length, as less may be the triangles’ doing. 0 lists all.'
+          ? 'Empty: a hundredth of the length, since triangles may cause less. 0 lists all.'
           : '';
       this.#handleTitle.textContent =
         handles.length === 0 ? 'No handle and no tunnel' : this.#handleCount(handles);
@@ -345,7 +345,7 @@ export class NecksPanel {
     this.#removal.show(handles);
     this.#between.refresh();
     this.#cutAll.hidden = necks.length < 2;
-    this.#cutAll.textContent = `Cut at all ${necks.length} necks`;
+    this.#cutAll.textContent = `Cut at ${necks.length} necks`;
     this.#showChosen();
     this.#parts.refresh();
   }
@@ -367,7 +367,7 @@ export class NecksPanel {
     else {
       const { prominence } = listed.loop;
       const out = Number.isFinite(prominence)
-        ? `stands out ${formatLength(prominence, format)}`
+        ? `prominence ${formatLength(prominence, format)}`
         : 'the narrowest';
       detail = `${out} · area ${formatArea(loop.area, format)}`;
     }

@@ -344,7 +344,7 @@ export class TwoPoints {
     this.#points = [];
     this.#show();
     this.#search.say(
-      'Click or tap points of the path, or drag over the surface; beside it a drag turns. Delete takes the last away, Escape ends it.',
+      'Click or tap points of the path, or drag over the surface; outside it a drag turns. Delete removes the last point, Escape ends the path.',
     );
     void this.#drawing.start();
     this.#showButtons();

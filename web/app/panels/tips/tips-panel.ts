@@ -64,7 +64,7 @@ export class TipsPanel {
         { class: 'hint' },
         'A ',
         term('tip', 'tip'),
-        ' is what a jump of the ',
+        ' is a part that a jump of the ',
         term('girth', 'girth'),
         ' cuts off.',
       ),
@@ -225,8 +225,7 @@ export class TipsPanel {
       this.#words.textContent = '';
       return;
     }
-    const words =
-      tips.length === 0 ? 'The girth jumps nowhere so that a part is cut off: no tips.' : '';
+    const words = tips.length === 0 ? 'No jump of the girth cuts a part off: no tips.' : '';
     this.#words.textContent =
       hidden > 0
         ? `${plural(hidden, 'tip rises', 'tips rise')} by less and ${hidden === 1 ? 'is' : 'are'} hidden.`

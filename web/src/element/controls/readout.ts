@@ -41,7 +41,7 @@ export class Readout {
 
   /** The length at a point whose loop is still to come. */
   showLength(base: SurfacePoint, length: number, format: LengthFormat): void {
-    this.#say(base, formatLength(length, format), '', 'As the colours have it; the loop follows.');
+    this.#say(base, formatLength(length, format), '', 'Read off the colours; the loop follows.');
     this.element.dataset['length'] = String(length);
     delete this.element.dataset['kind'];
   }

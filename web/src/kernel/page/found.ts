@@ -33,7 +33,7 @@ const kinds: readonly Kind[] = [
 export function kindOf(found: object, besides: FoundBesides): Kind {
   const kind = kinds.find(({ member }) => member in found);
   if (!kind) {
-    throw failure('USAGE', 'this is no result that is written', {
+    throw failure('USAGE', 'this is no result of a mesh', {
       hint: 'write what a mesh has found',
     });
   }

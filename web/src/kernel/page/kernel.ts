@@ -105,7 +105,7 @@ export async function openKernel(
     }
     if (hostFailure) {
       warnOnce(
-        `Girth: threads are not to be had (${hostFailure.message}); a pool of workers is used.`,
+        `Girth: threads are not available (${hostFailure.message}); a pool of workers is used.`,
       );
     }
   } catch (thrown) {

@@ -286,8 +286,8 @@ export class MeshOfWorkers extends MeshWithAnalyses implements Mesh {
   ): Promise<Bottleneck> {
     const girth = this.#own(igf, 'igf');
     if (igf.persistence) {
-      throw failure('USAGE', 'the girth is one with a persistence', {
-        hint: 'compute it without: a bottleneck is one of the girth itself',
+      throw failure('USAGE', 'the girth has a persistence', {
+        hint: 'compute it without: bottlenecks need the plain girth',
       });
     }
     return this.#ask('bottleneck', { girth, ...this.#ends(from, to) }, options);
