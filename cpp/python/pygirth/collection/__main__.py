@@ -40,7 +40,7 @@ def _part(text: str) -> tuple[int, int]:
     """'3/40': the third of forty."""
     match = re.fullmatch(r"(\d+)/(\d+)", text)
     if not match or not 1 <= int(match[1]) <= int(match[2]):
-        raise argparse.ArgumentTypeError("a part is such as 3/40, from 1/40 to 40/40")
+        raise argparse.ArgumentTypeError("write a part as 3/40, from 1/40 to 40/40")
     return int(match[1]), int(match[2])
 
 
@@ -62,7 +62,7 @@ def _arguments(words: Optional[Sequence[str]]) -> argparse.Namespace:
             "--faces", type=int, default=10_000, help="larger models are remeshed; 0: as they are"
         )
         command.add_argument(
-            "--smooth", type=int, default=0, metavar="STEPS", help="of rough models; default: 0"
+            "--smooth", type=int, default=0, metavar="STEPS", help="smoothing steps for rough models; default: 0"
         )
         command.add_argument("--jobs", type=int, default=0, help="models at a time; 0: one a core")
         if name == "fields":
@@ -70,12 +70,12 @@ def _arguments(words: Optional[Sequence[str]]) -> argparse.Namespace:
             command.add_argument(
                 "--save-every", type=float, default=5, metavar="S", help="seconds; default: 5"
             )
-            command.add_argument("--part", type=_part, default=(1, 1), help="3/40: of forty the third")
+            command.add_argument("--part", type=_part, default=(1, 1), help="the part to compute: 3/40 is the third of forty")
         else:
-            command.add_argument("--name", default="igf", choices=NAMES, help="by which field")
-            command.add_argument("-o", "--output", required=True, help="the file that is written")
+            command.add_argument("--name", default="igf", choices=NAMES, help="the field that is compared")
+            command.add_argument("-o", "--output", required=True, help="the file to write")
         if name == "nearest":
-            command.add_argument("-k", type=int, default=10, help="how many; default: 10")
+            command.add_argument("-k", type=int, default=10, help="number of neighbours; default: 10")
     return parser.parse_args(words)
 
 
