@@ -118,7 +118,7 @@ TEST(Stl, coloursAreLeftOutWithANote) {
   const auto model = modelOf(binary("", 4, coloured), "a.stl");
   ASSERT_TRUE(model.ok()) << messageOf(model);
   ASSERT_EQ(model.value().notes.size(), 1u);
-  EXPECT_TRUE(contains(model.value().notes[0], "colours, was left out")) << model.value().notes[0];
+  EXPECT_TRUE(contains(model.value().notes[0], "colours, were left out")) << model.value().notes[0];
 }
 
 TEST(Stl, endsInTwoWords) {
