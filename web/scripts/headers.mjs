@@ -18,11 +18,12 @@ const texts = new Map(
 );
 
 /**
- * A comment as one line, without its marks.
+ * A comment as one line, without its marks and its examples.
  * @param {string} comment
  */
 export const plain = (comment) =>
   comment
+    .replace(/\\code\n[^]*?\\endcode/g, '')
     .replace(/^ *\/\/\/<? ?/gm, '')
     .trim()
     .replace(/\s+/g, ' ');

@@ -70,6 +70,13 @@ struct Bottleneck {
 /// are not as many as the vertices; INVALID_POINT or VERTEX_OUT_OF_RANGE where one of the points is
 /// none of the surface; INVALID_POINT where they lie in different components, or no way leads from
 /// one to the other; CANCELLED.
+///
+/// \code
+/// const girth::GirthField field = girth::girthField(mesh);
+/// const auto one = girth::SurfacePoint::atVertex(girth::Vertex{0});
+/// const auto two = girth::SurfacePoint::atVertex(girth::Vertex{1});
+/// std::cout << girth::findBottleneck(mesh, field.values, one, two).value().girth << '\n';
+/// \endcode
 GIRTH_EXPORT Result<Bottleneck> findBottleneck(const SurfaceMesh& mesh,
                                                std::span<const double> girth,
                                                const SurfacePoint& from, const SurfacePoint& to,

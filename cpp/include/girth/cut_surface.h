@@ -63,6 +63,15 @@ inline constexpr double kLeastCutShare = 1e-6;
 /// (element: the face), and where no cap with holes of up to 1000 edges closes a hollow body;
 /// LIMIT_EXCEEDED (too many faces to number); CANCELLED. Of the context only
 /// `cancel` matters.
+///
+/// \code
+/// const girth::GirthField field = girth::girthField(mesh);
+/// std::vector<girth::SurfaceCurve> curves;
+/// for (const girth::Neck& neck : girth::findNecks(mesh, field.values).value().necks) {
+///   curves.push_back(neck.points);
+/// }
+/// std::cout << girth::cutSurface(mesh, curves, {.cap = true}).value().mesh.faceCount() << '\n';
+/// \endcode
 GIRTH_EXPORT Result<CutSurface> cutSurface(const SurfaceMesh& mesh,
                                            std::span<const SurfaceCurve> curves,
                                            const CutOptions& options = {},

@@ -56,6 +56,13 @@ struct Distances {
 /// (GeodesicSolver::path). On all threads, the same bits for any number of them. Errors:
 /// VERTEX_OUT_OF_RANGE, INVALID_POINT; LIMIT_EXCEEDED where a path takes too many windows;
 /// CANCELLED.
+///
+/// \code
+/// const auto one = girth::SurfacePoint::atVertex(girth::Vertex{0});
+/// const auto two = girth::SurfacePoint::atVertex(girth::Vertex{1});
+/// const auto found = girth::findDistances(mesh, {{{one, two}}}).value();
+/// std::cout << found.distances[0].length << '\n';
+/// \endcode
 GIRTH_EXPORT Result<Distances> findDistances(const SurfaceMesh& mesh,
                                              const DistancesOptions& options,
                                              const ExecutionContext& context = {});

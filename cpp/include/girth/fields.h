@@ -87,6 +87,12 @@ struct FieldValues {
 
 /// `fieldFunction` at all vertices. The same bits for any number of threads. Errors: the same, and
 /// CANCELLED.
+///
+/// \code
+/// girth::FieldOptions options;
+/// options.sdf.rays = 60;
+/// std::cout << girth::fieldValues(mesh, "sdf", options).value().values[0] << '\n';
+/// \endcode
 GIRTH_EXPORT Result<FieldValues> fieldValues(const SurfaceMesh& mesh, std::string_view name,
                                              const FieldOptions& options = {},
                                              const ExecutionContext& context = {});

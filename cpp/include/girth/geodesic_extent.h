@@ -32,6 +32,11 @@ struct GeodesicExtent {
 /// GeoAverage and GeoFarthest at all vertices (web/docs/definitions.md, section 4), by one distance
 /// field for each. The same bits for any number of threads. Time as of so many fields: O(n² log n)
 /// by fast marching, about O(n^2.5) exactly.
+///
+/// \code
+/// const auto extent = girth::geodesicExtent(mesh, girth::DistanceMethod::Exact);
+/// std::cout << extent.average[0] << ' ' << extent.farthest[0] << '\n';
+/// \endcode
 GIRTH_EXPORT GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
                                            const ExecutionContext& context = {});
 

@@ -31,6 +31,13 @@ struct GeodesicPath {
 /// call grows with the front, that of `path` with all windows up to the second point, and on more
 /// than 30,000 faces with those on the way there. Time is about O(n^1.5) for the usual mesh of n
 /// faces.
+///
+/// \code
+/// girth::GeodesicSolver solver(mesh);
+/// const auto start = girth::SurfacePoint::atVertex(girth::Vertex{0});
+/// const auto end = girth::SurfacePoint::inFace(girth::Face{2}, {0.2, 0.3, 0.5});
+/// std::cout << solver.path(start, end).value().length << '\n';
+/// \endcode
 class GIRTH_EXPORT GeodesicSolver {
  public:
   /// Lays the faces flat. O(n log n).

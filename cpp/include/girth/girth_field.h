@@ -60,6 +60,11 @@ struct GirthOptions {
 };
 
 /// I(v) for all vertices, as `evaluateAll` of girthFunction.
+///
+/// \code
+/// const girth::GirthField field = girth::girthField(mesh);
+/// std::cout << *std::min_element(field.values.begin(), field.values.end()) << '\n';
+/// \endcode
 GIRTH_EXPORT GirthField girthField(const SurfaceMesh& mesh, GirthMethod method = GirthMethod::Exact,
                                    const ExecutionContext& context = {},
                                    const std::function<void(const GirthPartial&)>& onPartial = {});

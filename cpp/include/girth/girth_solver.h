@@ -62,6 +62,13 @@ struct GirthLoop {
 };
 
 /// The loop's points in space; the first equals the last.
+///
+/// \code
+/// const girth::GirthLoop loop = girth::girthLoop(mesh, girth::Vertex{0}).value();
+/// for (const girth::Vec3& p : girth::polyline(mesh, loop)) {
+///   std::cout << p.x << ' ' << p.y << ' ' << p.z << '\n';
+/// }
+/// \endcode
 GIRTH_EXPORT std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop);
 
 struct Barcode;
@@ -80,6 +87,13 @@ struct BarcodeOptions;
 /// where the disk is large; memory of `value` with the front of that disk, of loops with all of
 /// it, and on more than 30,000 faces with the part of it on the way to the loop's midpoint or to
 /// the farthest point.
+///
+/// \code
+/// girth::GirthSolver solver(mesh);
+/// for (const girth::Vertex vertex : mesh.vertices()) {
+///   std::cout << solver.loop(vertex).value().length << '\n';
+/// }
+/// \endcode
 class GIRTH_EXPORT GirthSolver {
  public:
   /// Prepares the faces of a surface. O(n log n).
@@ -130,6 +144,11 @@ class GIRTH_EXPORT GirthSolver {
 };
 
 /// One loop, for a single use.
+///
+/// \code
+/// const girth::GirthLoop loop = girth::girthLoop(mesh, girth::Vertex{0}).value();
+/// std::cout << loop.length << ' ' << girth::toString(loop.kind) << '\n';
+/// \endcode
 GIRTH_EXPORT Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Vertex vertex);
 
 }  // namespace girth

@@ -86,6 +86,12 @@ struct Handles {
 /// loops/homology.h, about O(g² n). Nothing for components of genus 0. The same result for any
 /// number of threads. Errors: INVALID_OPTION
 /// (`basePoints` is 0); CANCELLED.
+///
+/// \code
+/// for (const girth::Handle& handle : girth::findHandles(mesh).value().handles) {
+///   std::cout << girth::toString(handle.kind) << ' ' << handle.length << '\n';
+/// }
+/// \endcode
 GIRTH_EXPORT Result<Handles> findHandles(const SurfaceMesh& mesh, const HandleOptions& options = {},
                                          const ExecutionContext& context = {});
 

@@ -102,6 +102,14 @@ struct LimbOptions {
 /// for each tip one distance field, about O(n^1.5), and some loops for each station, on all
 /// threads; the same result for any number of them. Errors: USAGE where the values are not as many
 /// as the vertices; VERTEX_OUT_OF_RANGE; INVALID_OPTION; LIMIT_EXCEEDED; CANCELLED.
+///
+/// \code
+/// const girth::GirthField field = girth::girthField(mesh);
+/// const girth::Tips tips = girth::findTips(mesh, field.values).value();
+/// for (const girth::Limb& limb : girth::findLimbs(mesh, field.values, tips.tips).value().limbs) {
+///   std::cout << limb.length << ' ' << limb.narrowest << '\n';
+/// }
+/// \endcode
 GIRTH_EXPORT Result<Limbs> findLimbs(const SurfaceMesh& mesh, std::span<const double> girth,
                                      std::span<const Tip> tips, const LimbOptions& options = {},
                                      const ExecutionContext& context = {});

@@ -94,6 +94,13 @@ struct Necks {
 /// loops of some of the vertices. The same result for any number of threads. Errors: USAGE where
 /// the values are not as many as the vertices; INVALID_OPTION where `minProminence` is negative or
 /// NaN; CANCELLED.
+///
+/// \code
+/// const girth::GirthField field = girth::girthField(mesh);
+/// for (const girth::Neck& neck : girth::findNecks(mesh, field.values).value().necks) {
+///   std::cout << neck.length << ' ' << neck.prominence << '\n';
+/// }
+/// \endcode
 GIRTH_EXPORT Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const double> girth,
                                      const NeckOptions& options = {},
                                      const ExecutionContext& context = {});

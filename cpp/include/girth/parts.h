@@ -82,6 +82,17 @@ struct Parts {
 /// The parts of a surface. `girth` and `diameter`: one value for each vertex, NaN where there is
 /// none. O(n log n). Errors: USAGE where values are not as many as vertices, or a threshold or the
 /// smoothing is negative or not a number (infinite thresholds are allowed).
+///
+/// \code
+/// const girth::GirthField field = girth::girthField(mesh);
+/// const auto diameter = girth::shapeDiameter(mesh).value();
+/// girth::PartOptions options;
+/// options.thresholds = girth::suggestedThresholds(mesh, field.values, diameter.values);
+/// const auto found = girth::findParts(mesh, field.values, diameter.values, options).value();
+/// for (const girth::Part& part : found.parts) {
+///   std::cout << girth::toString(part.kind) << ' ' << part.area << '\n';
+/// }
+/// \endcode
 GIRTH_EXPORT Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
                                      std::span<const double> diameter, const PartOptions& options);
 

@@ -30,6 +30,13 @@ struct PersistentMaximum {
 /// values. Vertices without a value (NaN) are not part of the surface.
 ///
 /// O(n log n). Errors: USAGE where the values are not as many as the vertices.
+///
+/// \code
+/// const auto extent = girth::geodesicExtent(mesh, girth::DistanceMethod::Exact);
+/// for (const auto& maximum : girth::persistentMaxima(mesh, extent.average).value()) {
+///   std::cout << maximum.value << ' ' << maximum.persistence << '\n';
+/// }
+/// \endcode
 GIRTH_EXPORT Result<std::vector<PersistentMaximum>> persistentMaxima(
     const SurfaceMesh& mesh, std::span<const double> values);
 

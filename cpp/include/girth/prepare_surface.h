@@ -163,6 +163,14 @@ struct PreparedSurface {
 /// that is negative or not a number, a share outside of its range), COMPONENT_OUT_OF_RANGE,
 /// LIMIT_EXCEEDED (too many faces to number; a vertex with a coordinate of more than 1e300),
 /// CANCELLED.
+///
+/// \code
+/// // The last two vertices lie at one place, and become one.
+/// girth::TriangleSoup soup{{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1},
+///                          {0, 2, 1, 0, 1, 3, 0, 4, 2, 1, 2, 4}};
+/// const auto prepared = girth::prepareSurface(std::move(soup)).value();
+/// std::cout << prepared.mesh.vertexCount() << " vertices\n";
+/// \endcode
 GIRTH_EXPORT Result<PreparedSurface> prepareSurface(TriangleSoup soup,
                                                     const PrepareOptions& options = {},
                                                     const ExecutionContext& context = {});

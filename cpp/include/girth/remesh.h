@@ -49,6 +49,11 @@ struct RemeshedSurface {
 /// same triangles. About 10 µs for each triangle, old and new.
 ///
 /// Errors: INVALID_OPTION (faces), CANCELLED, OUT_OF_MEMORY.
+///
+/// \code
+/// const auto even = girth::remesh(mesh, {500, girth::RemeshMethod::Even}).value();
+/// std::cout << even.mesh.faceCount() << " faces\n";
+/// \endcode
 GIRTH_EXPORT Result<RemeshedSurface> remesh(const SurfaceMesh& mesh, const RemeshOptions& options,
                                             const ExecutionContext& context = {});
 

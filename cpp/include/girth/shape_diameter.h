@@ -48,6 +48,11 @@ struct ShapeDiameterField {
 ///
 /// The surface may be open. The same bits for any number of threads, natively and in WebAssembly.
 /// O(n · rays · log n). Errors: USAGE for options out of range.
+///
+/// \code
+/// const auto diameter = girth::shapeDiameter(mesh).value();
+/// std::cout << diameter.values[0] << '\n';
+/// \endcode
 GIRTH_EXPORT Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
                                                       const ShapeDiameterOptions& options = {},
                                                       const ExecutionContext& context = {});

@@ -19,6 +19,11 @@ inline constexpr Index kMostSmoothing = 100;
 /// Faces may come to intersect. `steps`: from 0, which is the surface itself. O(steps · n).
 ///
 /// Errors: INVALID_OPTION (steps); DEGENERATE_FACE where a face loses its area; CANCELLED.
+///
+/// \code
+/// const girth::SurfaceMesh smooth = girth::smoothSurface(mesh, 3).value();
+/// std::cout << smooth.area() / mesh.area() << '\n';
+/// \endcode
 GIRTH_EXPORT Result<SurfaceMesh> smoothSurface(const SurfaceMesh& mesh, Index steps,
                                                const ExecutionContext& context = {});
 

@@ -42,6 +42,13 @@ class GIRTH_EXPORT SurfaceMesh {
   /// OPEN_EDGE, NON_MANIFOLD_EDGE, INCONSISTENT_ORIENTATION (a halfedge of the edge),
   /// NON_MANIFOLD_VERTEX, UNREFERENCED_VERTEX (vertex), LIMIT_EXCEEDED (too many faces to number; a
   /// vertex with a coordinate of more than 1e300).
+  ///
+  /// \code
+  /// const std::vector<double> positions{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  /// const std::vector<girth::Index> triangles{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+  /// const auto tetrahedron = girth::SurfaceMesh::fromArrays(positions, triangles).value();
+  /// std::cout << tetrahedron.area() << '\n';
+  /// \endcode
   static Result<SurfaceMesh> fromArrays(std::span<const double> positions,
                                         std::span<const Index> triangles,
                                         OpenEdges openEdges = OpenEdges::Refuse);

@@ -53,6 +53,11 @@ struct ThicknessField {
 ///
 /// The surface may be open. The same bits for any number of threads, natively and in WebAssembly.
 /// O(n log n) for usual surfaces. Errors: USAGE for an angle out of range.
+///
+/// \code
+/// const auto thickness = girth::medialThickness(mesh).value();
+/// std::cout << thickness.values[0] << '\n';
+/// \endcode
 GIRTH_EXPORT Result<ThicknessField> medialThickness(const SurfaceMesh& mesh,
                                                     const ThicknessOptions& options = {},
                                                     const ExecutionContext& context = {});

@@ -72,6 +72,13 @@ struct Tips {
 /// `girth`: I(v) for each vertex; where it is NaN (not computed), no edge is crossed. Time
 /// O(n log n) and a propagation of distances for each tip, unless the pieces are many. Errors:
 /// USAGE where the values are not as many as the vertices; CANCELLED.
+///
+/// \code
+/// const girth::GirthField field = girth::girthField(mesh);
+/// for (const girth::Tip& tip : girth::findTips(mesh, field.values).value().tips) {
+///   std::cout << tip.apexDistance << '\n';
+/// }
+/// \endcode
 GIRTH_EXPORT Result<Tips> findTips(const SurfaceMesh& mesh, std::span<const double> girth,
                                    const ExecutionContext& context = {});
 

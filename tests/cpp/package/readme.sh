@@ -1,6 +1,7 @@
 #!/bin/bash
 # The lines of README and documents, as they stand: `readme.sh PREFIX SOURCE FOLDER COMPILER`. PREFIX: Girth is installed
-# under it; SOURCE: the repository; FOLDER: where to work, which is made anew. All ```cpp blocks are compiled and run; a
+# under it; SOURCE: the repository; FOLDER: where to work, which is made anew. All ```cpp blocks are compiled and run, and the
+# examples in the headers (\code ... \endcode), which have a surface `mesh`; a
 # project uses the ```cmake block of cpp.md; README's and command.md's lines of the command are run, but for the study
 # of robustness, which takes minutes. Prints each failure and ends with 1.
 set -u
@@ -35,6 +36,23 @@ done
 expect 1 'absent.obj: FILE_NOT_FOUND: ' ./README-1 absent.obj
 expect 1 'usage: ./README-1 MODEL' ./README-1
 expect 1 'Girth needs C++20: compile with -std=c++20' "$compiler" -std=c++17 README-1.cpp -c "${flags[@]}"
+
+# Examples of headers: each becomes a function, and one program calls them all.
+{
+  printf '#include <%s>\n' algorithm iostream utility vector girth/girth.h girth/io/{load_mesh,save_field,save_mesh}.h
+  find "$prefix/include/girth" -name '*.h' | sort | xargs awk '
+    $1 == "///" && $2 == "\\code" { inside = 1; print "void example" n++ "([[maybe_unused]] const girth::SurfaceMesh& mesh) {"; next }
+    $1 == "///" && $2 == "\\endcode" { inside = 0; print "}"; next }
+    inside { sub(/^ *\/\/\/ ?/, ""); print }
+    END {
+      print "int main() {\n  const auto mesh = girth::io::loadMesh(\"model.obj\").value().mesh;"
+      for (i = 0; i < n; ++i) print "  example" i "(mesh);"
+      print "}"
+    }'
+} > examples.cpp
+[ "$(grep -c '^void example' examples.cpp)" -ge 20 ] || { echo 'wrong: headers have fewer than 20 examples'; failed=1; }
+expect 0 '' "$compiler" -std=c++20 -Wall -Wextra -Werror examples.cpp -o examples "${flags[@]}"
+expect 0 '' ./examples
 
 blocks cmake "$source/web/docs/cpp.md" lines-
 {

@@ -18,6 +18,12 @@ namespace girth::io {
 ///
 /// Errors: FILE_NOT_FOUND, FILE_UNREADABLE, and those of readMesh; each names the file
 /// (Error::file).
+///
+/// \code
+/// const auto loaded = girth::io::loadMesh("model.obj");
+/// if (!loaded) throw loaded.error();
+/// std::cout << loaded.value().mesh.faceCount() << ' ' << loaded.value().unit << '\n';
+/// \endcode
 GIRTH_EXPORT Result<LoadedMesh> loadMesh(const std::string& path,
                                          const PrepareOptions& options = {},
                                          const ExecutionContext& context = {});

@@ -33,6 +33,12 @@ namespace girth::io {
                                                           Columns columns = Columns::Fields);
 
 /// Saves the girth, as the field "igf". `method`: the one that it was computed by.
+///
+/// \code
+/// const auto loaded = girth::io::loadMesh("model.obj").value();
+/// const girth::GirthField field = girth::girthField(loaded.mesh);
+/// if (const auto error = girth::io::saveField("girth.csv", loaded, field)) throw *error;
+/// \endcode
 [[nodiscard]] GIRTH_EXPORT std::optional<Error> saveField(const std::string& path,
                                                           const LoadedMesh& loaded,
                                                           const GirthField& field,

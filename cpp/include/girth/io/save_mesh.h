@@ -17,6 +17,10 @@ namespace girth::io {
 ///
 /// Returns the error, if there is one: USAGE for another ending; LIMIT_EXCEEDED; FILE_UNWRITABLE.
 /// Each names the file (Error::file).
+///
+/// \code
+/// if (const auto error = girth::io::saveMesh("copy.ply", mesh, "millimetre")) throw *error;
+/// \endcode
 [[nodiscard]] GIRTH_EXPORT std::optional<Error> saveMesh(const std::string& path,
                                                          const SurfaceMesh& mesh,
                                                          std::string_view unit = {});
