@@ -1,7 +1,7 @@
 // `npm version ...` runs this: writes the version of package.json where the package exports it, into the
-// citation, and over what the change log has as unreleased; and the citation's address into package.json.
+// citation and the examples, and over what the change log has as unreleased; and the citation's address into package.json.
 
-import { readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { withAddress } from './address.mjs';
 import { repository, script } from './run.mjs';
@@ -25,6 +25,11 @@ await script(() => {
       .replace(/^version: .*$/m, `version: ${version}`)
       .replace(/^date-released: .*$/m, `date-released: '${date}'`),
   );
+  for (const example of readdirSync(join(repository, 'web/examples'))) {
+    const path = `web/examples/${example}/package.json`;
+    if (!existsSync(join(repository, path))) continue;
+    rewrite(path, (text) => text.replace(/"girth": "\^[^"]*"/, `"girth": "^${version}"`));
+  }
   const citation = readFileSync(join(repository, 'CITATION.cff'), 'utf8');
   rewrite(
     'package.json',

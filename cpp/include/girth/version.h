@@ -1,9 +1,9 @@
 // The version of the library, and how it marks what is to go and what may still change.
 //
 // GIRTH_VERSION_MAJOR, GIRTH_VERSION_MINOR and GIRTH_VERSION_PATCH are its numbers, GIRTH_VERSION
-// all three as a text, such as "0.1.0". Versions are semantic (semver.org): before 1.0.0 a new
-// minor version may change the interface, from then on only a new major version does. What changed
-// is in CHANGELOG.md, with the old names and the new ones.
+// all three as a text, such as "1.2.3". Versions are semantic (semver.org): only a new major
+// version changes the interface (web/docs/stable.md). CHANGELOG.md has the old names and the new
+// ones.
 //
 // A name that is to be removed is marked with GIRTH_DEPRECATED, with what to use instead, and stays
 // until the next major version; compilers warn where it is used.
@@ -22,7 +22,7 @@
 
 namespace girth {
 
-/// The version of the library that the program was linked with, such as "0.1.0". GIRTH_VERSION is
+/// The version of the library that the program was linked with, such as "1.2.3". GIRTH_VERSION is
 /// that of the headers it was compiled with.
 GIRTH_EXPORT std::string_view version();
 

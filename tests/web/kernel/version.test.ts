@@ -4,7 +4,14 @@ import { expect, test } from 'vitest';
 import { version } from '../../../web/src/kernel/index.js';
 import { repository } from '../../../web/scripts/run.mjs';
 
-test('the version is that of package.json: `npm version` writes both', () => {
-  const text = readFileSync(join(repository, 'package.json'), 'utf8');
-  expect(version).toBe((JSON.parse(text) as { version: string }).version);
+const text = (path: string) => readFileSync(join(repository, path), 'utf8');
+
+test('the version is that of package.json everywhere: `npm version` writes all', () => {
+  const now = (JSON.parse(text('package.json')) as { version: string }).version;
+  expect(version).toBe(now);
+  expect(text('CITATION.cff')).toContain(`\nversion: ${now}\n`);
+  expect(text('CHANGELOG.md')).toContain(`\n## [${now}] - `);
+  for (const example of ['esbuild', 'vite', 'webpack']) {
+    expect(text(`web/examples/${example}/package.json`)).toContain(`"girth": "^${now}"`);
+  }
 });

@@ -91,13 +91,16 @@ test.each(documents)('%s: paths of the repository exist', (path) => {
 
 test('the change log has one line an entry, by what happened, without benchmarks', () => {
   const log = text('CHANGELOG.md');
-  const unreleased = log.slice(log.indexOf('## [Unreleased]'), log.indexOf('## [0.1.0]'));
-  const lines = unreleased.split('\n').slice(1);
-  const headings = lines.filter((line) => line.startsWith('#'));
-  expect(headings).toEqual(['### Added', '### Changed', '### Removed', '### Fixed']);
-  const [first = ''] = lines.filter((line) => line !== '');
+  const newer = log.slice(log.indexOf('## [Unreleased]'), log.indexOf('## [0.1.0]'));
+  const lines = newer.split('\n').filter((line) => line !== '');
+  const kinds = ['### Added', '### Changed', '### Removed', '### Fixed'];
+  const [, stable = ''] = newer.split(/^## \[1\.0\.0\] - .*$/m);
+  expect(stable.split('\n').filter((line) => line.startsWith('#'))).toEqual(kinds);
+  const [first = ''] = stable.split('\n').filter((line) => line !== '');
   expect(first).toContain('(web/docs/stable.md)');
-  const entries = lines.filter((line) => line !== '' && line !== first && !line.startsWith('#'));
+  const headings = lines.filter((line) => line.startsWith('###'));
+  expect(headings.filter((line) => !kinds.includes(line))).toEqual([]);
+  const entries = lines.filter((line) => line !== first && !line.startsWith('#'));
   expect(entries.filter((line) => !/^- \S.*[.?]$/.test(line))).toEqual([]);
   expect(entries.filter((line) => line.length > 330)).toEqual([]);
   expect(entries.filter((line) => /\b(faster|slower|times as long)\b/.test(line))).toEqual([]);
