@@ -206,7 +206,7 @@ const rules: Record<AttributeName, Rule> = {
    * whole.
    */
   camera: {
-    allowed: `${listed(straightNames)}, or six numbers: polar angle, azimuth, distance and the target’s x, y, z`,
+    allowed: `${listed(straightNames)}, or six numbers: polar angle and azimuth in radians, distance and the target’s x, y, z`,
     accepts: (text) =>
       straightNames.some((name) => name === text) || readCamera(text) !== undefined,
   },
