@@ -1,6 +1,6 @@
 // The names of options that calls of the kernel take, from the types of their parameters.
 
-import { join } from 'node:path';
+import { join, relative } from 'node:path';
 import ts from 'typescript';
 import { repository } from './run.mjs';
 
@@ -36,10 +36,17 @@ function parametersOf(checker, overloads) {
 /** Interfaces whose calls check their options. */
 const interfaces = ['Kernel', 'Mesh', 'RemeshedMesh'];
 
-/** The source of `option-names.ts`. */
-export function optionNamesText() {
+/**
+ * The source of `option-names.ts`.
+ * @param {Record<string, string>} made The texts of sources that are about to be written, by their paths.
+ */
+export function optionNamesText(made) {
   const path = join(repository, 'web/src/kernel/types/types.ts');
-  const program = ts.createProgram([path], { target: ts.ScriptTarget.ES2022, types: [] });
+  const settings = { target: ts.ScriptTarget.ES2022, types: [] };
+  const host = ts.createCompilerHost(settings);
+  const { readFile } = host;
+  host.readFile = (file) => made[relative(repository, file)] ?? readFile(file);
+  const program = ts.createProgram([path], settings, host);
   const checker = program.getTypeChecker();
   const file = program.getSourceFile(path);
   const declared = (/** @type {string} */ name) => {

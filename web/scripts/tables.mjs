@@ -300,13 +300,16 @@ function documentText(document) {
 
 /** Every file that is made of tables, by its path. */
 export async function tables() {
-  const texts = {
+  const types = {
     'web/src/kernel/types/fields.ts': fieldsText(),
     'web/src/kernel/types/length-units.ts': unitsText(),
     'web/src/kernel/types/defaults.ts': defaultsText(),
     'web/src/kernel/types/results.ts': resultsText(),
-    'web/src/kernel/types/option-names.ts': optionNamesText(),
     'web/src/kernel/types/analyses.ts': typeScriptCalls(),
+  };
+  const texts = {
+    ...types,
+    'web/src/kernel/types/option-names.ts': optionNamesText(types),
     'web/src/kernel/page/analyses.ts': typeScriptMethods(),
     'web/docs/outputs.md': documentText('web/docs/outputs.md'),
     'web/docs/embedding.md': documentText('web/docs/embedding.md'),
