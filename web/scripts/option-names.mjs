@@ -44,8 +44,7 @@ export function optionNamesText(made) {
   const path = join(repository, 'web/src/kernel/types/types.ts');
   const settings = { target: ts.ScriptTarget.ES2022, types: [] };
   const host = ts.createCompilerHost(settings);
-  const { readFile } = host;
-  host.readFile = (file) => made[relative(repository, file)] ?? readFile(file);
+  host.readFile = (file) => made[relative(repository, file)] ?? ts.sys.readFile(file);
   const program = ts.createProgram([path], settings, host);
   const checker = program.getTypeChecker();
   const file = program.getSourceFile(path);
