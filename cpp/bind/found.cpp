@@ -106,6 +106,7 @@ Content necksFile(const Asked& asked) {
   return asked.unknownFormat("necks are");
 }
 
+/// Sections of several planes have a row, or a line, for each curve.
 Content sectionsFile(const Asked& asked) {
   const auto sections = asked.result<Sections>();
   if (!sections) return sections.error();
@@ -218,10 +219,10 @@ Content analysisFile(const Asked& asked) {
 /// {bytes} of a file with a result of this surface, or an error.
 val writeFound(JobSurface& surface, const val& model, const val& found, const std::string& format) {
   static const std::map<std::string, Content (*)(const Asked&)> writers{
-      {"tips", tipsFile},         {"limbs", limbsFile},           {"necks", necksFile},
-      {"handles", handlesFile},   {"bottleneck", bottleneckFile}, {"profile", profileFile},
-      {"axis", axisFile},         {"parts", partsFile},           {"printCheck", weakPlacesFile},
-      {"segments", segmentsFile}, {"sections", sectionsFile},
+      {"sections", sectionsFile},     {"tips", tipsFile},         {"limbs", limbsFile},
+      {"necks", necksFile},           {"handles", handlesFile},   {"bottleneck", bottleneckFile},
+      {"profile", profileFile},       {"axis", axisFile},         {"parts", partsFile},
+      {"printCheck", weakPlacesFile}, {"segments", segmentsFile},
 #define GIRTH_ANALYSIS(name, Options, Found, function) {#name, analysisFile<Found>},
 #include "girth/analyses.def"
   };

@@ -1,4 +1,4 @@
-// Necks, sections, bottlenecks and handles of a surface, and the surface without small handles.
+// Necks, bottlenecks and handles of a surface, and the surface without small handles.
 
 #include <emscripten/bind.h>
 
@@ -8,7 +8,6 @@
 #include "girth/describe/handles.h"
 #include "girth/describe/necks.h"
 #include "girth/describe/remove_handles.h"
-#include "girth/describe/section.h"
 #include "job_surface.h"
 #include "result_object.h"
 #include "surface_point.h"
@@ -24,17 +23,6 @@ val necks(const JobSurface& surface, const val& girth, double minProminence,
   return guarded([&] {
     return objectOf(surface.drawn(), findNecks(surface.mesh(), copyIn<double>(girth),
                                                {minProminence}, reportingTo(onProgress)));
-  });
-}
-
-/// `Sections` of types.ts, or an error. `normal`: three numbers.
-val sections(const JobSurface& surface, const val& normal, const val& offsets,
-             const val& onProgress) {
-  return guarded([&] {
-    const std::vector<double> along = copyIn<double>(normal);
-    return objectOf(surface.drawn(),
-                    findSections(surface.mesh(), {along.at(0), along.at(1), along.at(2)},
-                                 copyIn<double>(offsets), reportingTo(onProgress)));
   });
 }
 
@@ -88,7 +76,6 @@ val surfaceWithoutHandles(const JobSurface& surface, double length, double baseP
 
 EMSCRIPTEN_BINDINGS(girthLoops) {
   emscripten::function("necks", &necks);
-  emscripten::function("sections", &sections);
   emscripten::function("bottleneck", &bottleneck);
   emscripten::function("removeHandles", &surfaceWithoutHandles);
   emscripten::function("handles", &handles);

@@ -1,6 +1,7 @@
 #include "result_again.h"
 
 #include <string>
+#include <utility>
 
 #include "boundary.h"
 #include "surface_point.h"
@@ -33,10 +34,20 @@ void ResultAgain::read(const val& from, Vertex& vertex) {
 }
 
 void ResultAgain::read(const val& from, Vec3& point) {
+  if (from.isNull() || lengthOf(from) != 3)
+    return refuse(std::string(member_) + " has three numbers");
   point = {from[0].as<double>(), from[1].as<double>(), from[2].as<double>()};
 }
 
+void ResultAgain::read(const val& from, std::string& text) {
+  if (!from.isString()) return refuse(std::string(member_) + " is no text");
+  text = from.as<std::string>();
+}
+
 void ResultAgain::read(const val& from, SurfacePoint& point) {
+  if (!from.isNumber() && (!from.as<bool>() || !from["weights"].as<bool>())) {
+    return refuse(std::string(member_) + " is no point of a surface");
+  }
   point = pointAgain(from);
   check(point);
 }
@@ -75,10 +86,16 @@ val ResultAgain::memberOf(const val& object, const char* name) { return object[n
 bool ResultAgain::isThere(const val& value) { return !value.isUndefined(); }
 
 int ResultAgain::codeOf(const val& word, std::string_view (*wordOf)(int)) {
-  const auto text = word.as<std::string>();
-  int code = 0;
-  while (code < kMostWords && wordOf(code) != text) ++code;
-  return code < kMostWords ? code : 0;
+  const std::string text = word.isString() ? word.as<std::string>() : "";
+  for (int code = 0; code < kMostWords && !text.empty(); ++code) {
+    if (wordOf(code) == text) return code;
+  }
+  refuse("'" + text + "' is no " + member_);
+  return 0;
+}
+
+void ResultAgain::refuse(std::string problem) {
+  if (problem_.empty()) problem_ = std::move(problem);
 }
 
 void ResultAgain::check(Vertex vertex) {

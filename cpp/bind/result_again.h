@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -26,12 +27,15 @@ class ResultAgain {
 
   /// Whether all vertices, faces and points so far are there on the mesh.
   bool isOfMesh() const { return isOfMesh_; }
+  /// The first member that lacks, or is no value of its kind, in words; empty: there is none.
+  const std::string& problem() const { return problem_; }
 
   void read(const emscripten::val& from, double& number);
   void read(const emscripten::val& from, bool& isSo);
   void read(const emscripten::val& from, Index& number);
   void read(const emscripten::val& from, std::size_t& number);
   void read(const emscripten::val& from, Vertex& vertex);
+  void read(const emscripten::val& from, std::string& text);
   void read(const emscripten::val& from, Vec3& point);
   void read(const emscripten::val& from, SurfacePoint& point);
   void read(const emscripten::val& from, std::vector<double>& numbers);
@@ -65,7 +69,10 @@ class ResultAgain {
       if constexpr (std::is_same_v<Shown, Line>) {
         readLine(from, result.*member.which);
       } else if (const emscripten::val value = memberOf(from, member.name); isThere(value)) {
+        member_ = member.name;
         read(value, result.*member.which);
+      } else if (member.isNeeded) {
+        refuse(std::string("there is no ") + member.name);
       }
     }
   }
@@ -78,8 +85,10 @@ class ResultAgain {
   static emscripten::val entryOf(const emscripten::val& list, std::size_t place);
   static emscripten::val memberOf(const emscripten::val& object, const char* name);
   static bool isThere(const emscripten::val& value);
-  /// The enumerator of a word; 0 for none.
-  static int codeOf(const emscripten::val& word, std::string_view (*wordOf)(int));
+  /// The enumerator of a word; 0 and a problem for none.
+  int codeOf(const emscripten::val& word, std::string_view (*wordOf)(int));
+  /// Notes a problem, if it is the first.
+  void refuse(std::string problem);
 
   void check(Vertex vertex);
   void check(Face face);
@@ -89,6 +98,8 @@ class ResultAgain {
   std::vector<SurfacePoint> linePoints_;
   std::size_t lineStart_{0};
   bool isOfMesh_{true};
+  const char* member_{""};  ///< that is being read
+  std::string problem_;
 };
 
 }  // namespace girth::bind

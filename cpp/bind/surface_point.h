@@ -17,10 +17,10 @@ namespace girth::bind {
 
 /// `SurfacePoint` of types.ts: a vertex, or a face with weights.
 inline SurfacePoint pointOf(const emscripten::val& point) {
-  if (point.isNumber()) return SurfacePoint::atVertex(Vertex(point.as<Index>()));
+  if (point.isNumber()) return SurfacePoint::atVertex(Vertex(indexOf(point.as<double>())));
   const emscripten::val weights = point["weights"];
   return SurfacePoint::inFace(
-      Face(point["face"].as<Index>()),
+      Face(indexOf(point["face"].as<double>())),
       {weights[0].as<double>(), weights[1].as<double>(), weights[2].as<double>()});
 }
 

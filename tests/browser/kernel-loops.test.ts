@@ -371,7 +371,7 @@ test('what was found is written as the command writes it, byte by byte', async (
       const [necks, tips] = [await mesh.necks(igf), await mesh.tips(igf)];
       const [limbs, bottleneck] = [await mesh.limbs(igf), await mesh.bottleneck(igf, 0, 60)];
       const handles = await holed.handles();
-      const sections = await mesh.sections([1, 0, 0], [0, 1.5]);
+      const sections = await mesh.sections({ normal: [1, 0, 0], offsets: [0, 1.5] });
       const pairs = [{ start: 0, end: 60 }];
       const distances = await mesh.distances({ pairs, paths: true });
       const files: Record<string, string> = {};
@@ -424,4 +424,61 @@ test('what was found is written as the command writes it, byte by byte', async (
   expect(Object.keys(mine.files)).toHaveLength(22);
   expect(mine.rows).toBe(1);
   expect(mine.codes).toEqual(['USAGE', 'INVALID_POINT', 'USAGE', 'INVALID_POINT', 'USAGE']);
+});
+
+test('sections of a prism: planes at heights, through points, the widest; and measures at landmarks', async () => {
+  const found = await page.evaluate(async () => {
+    const kernel = await girth.createKernel({ threads: 1 });
+    // A box of 2 by 3 by 4.
+    const corners = ['0 0 0', '2 0 0', '2 3 0', '0 3 0', '0 0 4', '2 0 4', '2 3 4', '0 3 4'];
+    const faces = ['4 3 2 1', '5 6 7 8', '1 2 6 5', '2 3 7 6', '3 4 8 7', '4 1 5 8'];
+    const lines = [...corners.map((one) => `v ${one}`), ...faces.map((one) => `f ${one}`)];
+    const mesh = await kernel.load(girth.obj(lines.join('\n'), 'box.obj'));
+    const normal = [0, 0, 1] as const;
+    const { sections } = await mesh.sections({ normal, offsets: [1, 9], inscribed: true });
+    const through = await mesh.sectionsThrough({ points: [1, 4], normal: [1, 0, 0] });
+    const range = { low: 1, high: 2, measure: 'tape' } as const;
+    const widest = await mesh.extremeSection({ normal, extreme: 'widest', ...range });
+    const at = { point: { face: 4, weights: [0.25, 0.25, 0.5] } } as const;
+    const { measures } = await mesh.measureLandmarks({
+      landmarks: [
+        { name: 'waist', how: 'tape', ...at },
+        { name: 'all', how: 'section', all: true, ...at },
+        { name: 'height', how: 'distance', point: 0, to: 4 },
+      ],
+    });
+    const csv = new TextDecoder().decode(await mesh.write({ measures }, 'csv'));
+    const refusals = [
+      mesh.sections({ normal } as never),
+      mesh.sections({ normal: [0, 0, 0], offsets: [1] }),
+      mesh.sections({ normal: [0, 1] as never, offsets: [1] }),
+      mesh.extremeSection({ normal, extreme: 'tallest' as never }),
+      mesh.extremeSection({ normal, extreme: 'narrowest', low: 7, high: 9 }),
+      mesh.sectionsThrough({ points: [1.5] }),
+      mesh.sectionsThrough({ points: [{ face: 0 } as never] }),
+      mesh.measureLandmarks({ landmarks: [{ name: 'neck', how: 'tape' } as never] }),
+      mesh.measureLandmarks({ landmarks: [{ name: 'neck', how: 'distance', point: 0 }] }),
+    ].map(async (call) => (await girth.refusal(call)).code);
+    const codes = await Promise.all(refusals);
+    kernel.dispose();
+    return { sections, through, widest, measures, csv, codes };
+  });
+  const [cut, missed] = found.sections;
+  expect(cut!.perimeter).toBeCloseTo(10, 12);
+  expect(cut!.curves[0]).toMatchObject({ closed: true, hole: false, inscribedDiameter: 2 });
+  expect(cut!.curves[0]!.limb).toBeUndefined();
+  expect(missed!.curves).toEqual([]);
+  expect(found.through.sections.map(({ offset }) => offset)).toEqual([2, 0]);
+  expect(found.widest.tape).toBeCloseTo(10, 12);
+  expect(found.widest.curves[0]!.inscribedDiameter).toBeNaN();
+  const [waist, all, height] = found.measures;
+  expect([waist!.name, waist!.how]).toEqual(['waist', 'tape']);
+  for (const { length } of [waist!, all!]) expect(length).toBeCloseTo(10, 12);
+  expect(height!.length).toBe(4);
+  expect(found.csv.split('\n')[0]).toBe('number,name,how,x,y,z,length,unit');
+  const option = 'INVALID_OPTION';
+  expect(found.codes).toEqual([
+    ...['USAGE', option, 'USAGE', 'USAGE', option, 'VERTEX_OUT_OF_RANGE', 'USAGE', 'USAGE'],
+    'VERTEX_OUT_OF_RANGE',
+  ]);
 });

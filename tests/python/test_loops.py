@@ -208,6 +208,47 @@ def test_distances_between_pairs_are_those_of_paths(command, model, tmp_path):
     assert repr(found) == "<pygirth.Distances: 2 distances>"
 
 
+def test_sections_are_those_of_the_command(command, model, tmp_path):
+    mesh = pygirth.load(model)
+    low, high = mesh.vertices[:, 0].min(), mesh.vertices[:, 0].max()
+    places = [low + 0.4 * (high - low), low + 0.5 * (high - low)]
+    found = mesh.sections([1, 0, 0], places, inscribed=True)
+    heights = [word for place in places for word in ("--at-height", repr(float(place)))]
+    wanted = command("section", model, "--along", "x", "--inscribed", *heights, as_json=True)
+    for section, other in zip(found.sections, wanted["sections"]):
+        for name in ("offset", "perimeter", "tape", "area"):
+            assert getattr(section, name) == other[name]
+        for curve, one in zip(section.curves, other["curves"]):
+            assert curve.inscribed_diameter == one["inscribedDiameter"] > 0
+            assert curve.limb is None
+    narrowest = mesh.extreme_section((1, 0, 0), "narrowest", low=places[0], high=places[1], measure="tape")
+    within = f"{float(places[0])!r},{float(places[1])!r}"
+    words = ("--narrowest", "--within", within, "--by-tape", "--along", "x")
+    [other] = command("section", model, *words, as_json=True)["sections"]
+    assert narrowest.tape == other["tape"] and narrowest.offset == other["offset"]
+    through = mesh.sections_through([20], normal=(1, 0, 0))
+    assert through.sections[0].offset == mesh.vertices[20, 0]
+
+
+def test_measures_at_landmarks_have_their_names(model):
+    mesh = pygirth.load(model)
+    landmarks = [
+        {"name": "loop", "point": 20, "how": "girth"},
+        {"name": "way", "point": 0, "how": "distance", "to": 20},
+        {"name": "tape", "point": 20, "how": "tape", "across": True},
+    ]
+    loop, way, tape = mesh.measure_landmarks(landmarks).measures
+    assert loop.length == mesh.loop(20).length and way.length == mesh.path(0, 20).length
+    assert tape.name == "tape" and tape.how == "tape" and tape.length > 0
+    for wrong in ({"name": "a", "point": 0}, {"name": "a", "point": 0, "how": "width"}, 3):
+        with pytest.raises(pygirth.InputError):
+            mesh.measure_landmarks([wrong])
+    with pytest.raises(pygirth.GirthError):
+        mesh.measure_landmarks([{"name": "a", "point": 0, "how": "distance"}])
+    with pytest.raises(pygirth.InputError):
+        mesh.sections([0, 1], [1.0])
+
+
 def test_the_field_of_distances_is_that_of_geodesics():
     mesh = pygirth.Mesh(*waists())
     sources = [2, (7, (0.5, 0.25, 0.25))]

@@ -1,13 +1,15 @@
 // The calls of a mesh in TypeScript and Python that are the analyses of `analyses.def`.
 
-import { analyses, functionOf, isExperimental, structOf } from './headers.mjs';
+import { analyses, functionOf, isExperimental, structOf, wordsOf } from './headers.mjs';
 import {
   commentOf,
   inPython,
   options,
   publicName,
+  results,
   sentences,
   snakeCase,
+  wordsText,
   wrapped,
 } from './results.mjs';
 
@@ -20,14 +22,48 @@ function manualOf({ call }) {
   return { words: comment, isExperimental: isExperimental(file) };
 }
 
-/** Whether a member of options must be given. @param {{ type: string }} member */
-const isNeeded = ({ type }) => !/^(bool|double|Index|[A-Z]\w*Kind)$/.test(type);
+/** @typedef {ReturnType<typeof options>[number]['members'][number]} Member */
 
-/** An argument list that is read, not changed. @param {string} type */
-const readOnly = (type) => type.replace(/^(\w+)\[\]$/, 'readonly $1[]');
+/** Whether a member of options must be given. @param {Member} member */
+const isNeeded = ({ how }) => how === 'needed';
 
-/** @param {string} struct @param {string} member */
-const defaultOf = (struct, member) => structOf(struct).members[member]?.byDefault ?? '';
+/** The type of an argument that is read, not changed. @param {string} type */
+function readOnly(type) {
+  if (type === 'Float64Array') return 'readonly number[] | Float64Array';
+  return /\]$/.test(type) ? `readonly ${type}` : type;
+}
+
+/**
+ * The default of an optional member, in the languages; undefined where it stands for nothing.
+ * @param {string} struct
+ * @param {Member} member
+ * @returns {{ typescript: string, python: string } | undefined}
+ */
+function defaultOf(struct, { name, type, isEnumeration }) {
+  const text = structOf(struct).members[name]?.byDefault ?? '';
+  if (type === 'SurfacePoint') return undefined;
+  if (type === 'Vec3') return { typescript: `[${text}]`, python: `(${text})` };
+  if (isEnumeration) {
+    const word = wordsOf(type).words.find(({ enumerator }) =>
+      text.endsWith(`::${enumerator}`),
+    )?.word;
+    return { typescript: `'${word}'`, python: `"${word}"` };
+  }
+  const [, sign, infinite] = /^(-?)(std::numeric_limits<double>::infinity\(\))$/.exec(text) ?? [];
+  if (infinite) return { typescript: `${sign}Infinity`, python: `${sign}math.inf` };
+  const python = { true: 'True', false: 'False' }[text] ?? text;
+  return { typescript: text, python };
+}
+
+/** Enumerations that options have and no result. */
+function ownWords() {
+  const enumerationsOf = (/** @type {ReturnType<typeof options>} */ structs) =>
+    structs.flatMap(({ members }) =>
+      members.filter(({ isEnumeration }) => isEnumeration).map(({ type }) => type),
+    );
+  const known = new Set(enumerationsOf(results()));
+  return [...new Set(enumerationsOf(options()))].filter((name) => !known.has(name));
+}
 
 /** The options, and the calls of a mesh. */
 export function typeScriptCalls() {
@@ -35,8 +71,9 @@ export function typeScriptCalls() {
   const interfaces = structs.map(({ struct, name, comment, members }) => {
     const isOptions = analyses().some((one) => one.options === struct);
     const lines = members.map((member) => {
-      const needed = !isOptions || isNeeded(member);
-      const words = needed ? '' : ` Default: ${defaultOf(struct, member.name)}.`;
+      const needed = isNeeded(member);
+      const byDefault = needed ? undefined : defaultOf(struct, member)?.typescript;
+      const words = byDefault === undefined ? '' : ` Default: ${byDefault}.`;
       const text = commentOf(sentences(member.comment) + words);
       return `${text}${member.name}${needed ? '' : '?'}: ${readOnly(member.typescript)};\n`;
     });
@@ -48,12 +85,18 @@ export function typeScriptCalls() {
     const paragraphs = [sentences(words), ...(isExperimental ? ['@experimental'] : [])];
     return `${commentOf(...paragraphs)}${analysis.name}(options: ${analysis.options}): Promise<${publicName(analysis.found)}>;\n`;
   });
-  const found = analyses().map(({ found }) => publicName(found));
+  const found = namesFound();
+  const own = ownWords();
+  const words = options()
+    .flatMap(({ members }) => members)
+    .filter(({ type, isEnumeration }) => isEnumeration && !own.includes(type))
+    .map(({ type }) => type);
   return `${made}
 import type { WatchedOptions } from './call-options.js';
 import type { SurfacePoint } from './points.js';
-import type { ${found.join(', ')} } from './results.js';
+import type { ${[...new Set([...found, ...words])].join(', ')} } from './results.js';
 
+${own.map(wordsText).join('\n')}
 ${interfaces.join('\n')}
 /** Calls of a mesh, one for each analysis. */
 export interface Analyses {
@@ -68,6 +111,9 @@ export const analysisLists: Readonly<Record<keyof Analyses, string>> = { ${analy
     .join(', ')} };
 `;
 }
+
+/** The public names of the results. */
+const namesFound = () => [...new Set(analyses().map(({ found }) => publicName(found)))];
 
 /** The list of a result. @param {string} found */
 function listOf(found) {
@@ -85,7 +131,7 @@ export function typeScriptMethods() {
       `${name}(options: ${options}): Promise<${publicName(found)}> {\nreturn this.analyse('${name}', options);\n}\n`,
   );
   const names = analyses().map(({ options }) => options);
-  const found = analyses().map(({ found }) => publicName(found));
+  const found = namesFound();
   return `${made}
 import type { Analyses, ${names.join(', ')} } from '../types/analyses.js';
 import type { ${found.join(', ')}, WatchedOptions } from '../types/types.js';
@@ -114,19 +160,38 @@ function taken(type, value, name) {
   if (type === 'bool') return `bool(${value})`;
   if (type === 'double') return `real_number(${value}, "${name}")`;
   if (type === 'Index') return `whole_number(${value}, "${name}")`;
-  if (type === 'Vec3') return `[real_number(part, "${name}") for part in ${value}]`;
+  if (type === 'Vec3') return `three_numbers(${value}, "${name}")`;
+  if (type === 'std::string') return `str(${value})`;
   if (type === 'SurfacePoint') return `self._point(${value})`;
-  const members = options().find(({ struct }) => struct === type)?.members ?? [];
-  const types = new Set(members.map((member) => member.type));
-  const [only] = types;
-  if (!only || types.size > 1) throw new Error(`Python has no argument of the type ${type}`);
-  return `[${taken(only, 'part', name)} for part in ${value}]`;
+  const struct = structNamed(type);
+  if (!struct) {
+    const words = wordsOf(type).words.map(({ word }) => `"${word}"`);
+    return `one_of(${value}, "${name}", [${words.join(', ')}])`;
+  }
+  const [only, ...others] = new Set(struct.members.map((member) => member.type));
+  if (only && others.length === 0) return `[${taken(only, 'part', name)} for part in ${value}]`;
+  const parts = struct.members.map((member) => {
+    const key = snakeCase(member.name);
+    if (isNeeded(member)) return taken(member.type, `entry_of(${value}, "${key}")`, key);
+    const byDefault = defaultOf(type, member)?.python;
+    if (byDefault === undefined) {
+      return `${taken(member.type, `${value}["${key}"]`, key)} if "${key}" in ${value} else None`;
+    }
+    return taken(member.type, `${value}.get("${key}", ${byDefault})`, key);
+  });
+  return `(${parts.join(', ')})`;
 }
 
-/** The annotation of an argument, and its words in the manual. @param {string} type @returns {[annotation: string, words: string]} */
+/** A struct of options. @param {string} name */
+const structNamed = (name) => options().find(({ struct }) => struct === name);
+
+/** The annotation of an argument, its words in the manual, and what more is to be said. @param {string} type @returns {[annotation: string, words: string, more?: string]} */
 function passed(type) {
   const [, entry] = /^std::vector<(\w+)>$/.exec(type) ?? [];
-  if (entry) return [`Iterable[${passed(entry)[0]}]`, `sequence of ${passed(entry)[1]}`];
+  if (entry) {
+    const [annotation, words, more] = passed(entry);
+    return [`Iterable[${annotation}]`, `sequence of ${words}`, more];
+  }
   const plain = /** @type {Record<string, [string, string]>} */ ({
     bool: ['bool', 'bool'],
     double: ['float', 'float'],
@@ -135,12 +200,20 @@ function passed(type) {
     SurfacePoint: ['Any', 'point'],
     PointPair: ['tuple[Any, Any]', 'two points'],
   })[type];
-  if (!plain) throw new Error(`Python has no argument of the type ${type}`);
-  return plain;
+  if (plain) return plain;
+  const struct = structNamed(type);
+  if (!struct)
+    return [
+      'str',
+      wordsOf(type)
+        .words.map(({ word }) => `"${word}"`)
+        .join(' or '),
+    ];
+  const keys = struct.members.map(({ name, comment }) => {
+    return `\`\`"${snakeCase(name)}"\`\`: ${sentences(comment)}`;
+  });
+  return ['Mapping[str, Any]', 'dict', keys.join(' ')];
 }
-
-/** A default as Python writes it. @param {string} text */
-const pythonValue = (text) => ({ true: 'True', false: 'False' })[text] ?? text;
 
 /** The methods of a mesh in Python. */
 export function pythonMethods() {
@@ -155,21 +228,23 @@ export function pythonMethods() {
       '*',
       ...optional.map(
         (member) =>
-          `${snakeCase(member.name)}: ${passed(member.type)[0]} = ${pythonValue(defaultOf(struct, member.name))}`,
+          `${snakeCase(member.name)}: ${passed(member.type)[0]} = ${defaultOf(struct, member)?.python}`,
       ),
       'threads: Optional[int] = None',
       'progress: Progress = None',
     ];
     const described = [...needed, ...optional].map(({ name: member, type, comment }) => {
       const words = `${passed(type)[1]}${optional.some((one) => one.name === member) ? ', optional' : ''}`;
-      const lines = wrapped(inPython(sentences(comment)), ' '.repeat(12));
+      const more = passed(type)[2];
+      const text = [sentences(comment), ...(more ? [more] : [])].join(' ');
+      const lines = wrapped(inPython(text), ' '.repeat(12));
       return `        ${snakeCase(member)} : ${words}\n${lines}`;
     });
     const values = members.map(({ name: member, type }) =>
       taken(type, snakeCase(member), snakeCase(member)),
     );
     const found = publicName(analysis.found);
-    const [first = '', ...rest] = sentences(manualOf(analysis).words).split(/(?<=\.) (?=[A-Z])/);
+    const [first = '', ...rest] = sentences(manualOf(analysis).words).split(/(?<=\.) (?=[A-Z*])/);
     const notes = wrapped(inPython(rest.join(' ')), ' '.repeat(8));
     return `    def ${snakeCase(name)}(
 ${parameters.map((one) => `        ${one},\n`).join('')}    ) -> ${found}:
@@ -191,19 +266,22 @@ ${values.map((one) => `            ${one},\n`).join('')}        )
         return ${found}(_girth.analyse("${name}", self._surface, options, running(threads, progress)))
 `;
   });
-  const classes = analyses().map(({ found }) => publicName(found));
-  const readers = ['real_number', 'whole_number'].filter((one) =>
-    methods.some((method) => method.includes(`${one}(`)),
+  const all = methods.join('');
+  const readers = ['entry_of', 'one_of', 'real_number', 'three_numbers', 'whole_number'].filter(
+    (one) => all.includes(`${one}(`),
+  );
+  const types = ['Iterable', 'Mapping', 'Optional', 'Sequence'].filter((one) =>
+    all.includes(`${one}[`),
   );
   return `"""The analyses of a mesh. Made of cpp/include/girth/analyses.def by \`npm run build:tables\`: not to be edited."""
 
 from __future__ import annotations
 
-from typing import Any, ${methods.some((one) => one.includes('Iterable[')) ? 'Iterable, ' : ''}Optional${methods.some((one) => one.includes('Sequence[')) ? ', Sequence' : ''}
+${all.includes('math.') ? 'import math\n' : ''}from typing import Any, ${types.join(', ')}
 
 from pygirth import _girth
-from pygirth._arguments import Progress, ${[...readers, 'running'].join(', ')}
-from pygirth._members import ${classes.join(', ')}
+from pygirth._arguments import Progress, ${[...readers, 'running'].sort().join(', ')}
+from pygirth.results import ${namesFound().join(', ')}
 
 
 class Analyses:

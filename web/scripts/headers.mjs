@@ -85,12 +85,17 @@ export function wordsOf(name) {
     ([, word = '']) => word,
   );
   const meanings = [
-    ...body.matchAll(/((?:^ {2}\/\/\/.*\n)*)^ {2}\w+(?: = \d+)?,(?: *\/\/\/< (.*))?/gm),
-  ].map(([, before, behind = '']) => plain(before || behind));
+    ...body.matchAll(/((?:^ {2}\/\/\/.*\n)*)^ {2}(\w+)(?: = \d+)?,(?: *\/\/\/< (.*))?/gm),
+  ].map(([, before, enumerator = '', behind = '']) => {
+    return { enumerator, meaning: plain(before || behind) };
+  });
   if (words.length === 0 || words.length !== meanings.length) {
     throw new Error(`the comment of toString(${name}) does not list the words of ${name}`);
   }
-  return { comment, words: words.map((word, i) => ({ word, meaning: meanings[i] ?? '' })) };
+  return {
+    comment,
+    words: words.map((word, i) => ({ enumerator: '', meaning: '', ...meanings[i], word })),
+  };
 }
 
 /** Whether a header is marked as one that may change. @param {string} file */

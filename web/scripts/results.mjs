@@ -72,6 +72,7 @@ const types = /** @type {Record<string, string>} */ ({
   Vertex: 'number',
   Vec3: '[number, number, number]',
   SurfacePoint: 'SurfacePoint',
+  'std::string': 'string',
   GirthProfile: 'GirthStation[]',
   'std::string_view': 'string',
   'std::vector<double>': 'Float64Array',
@@ -134,7 +135,7 @@ function memberText({ how, name, type, comment, typescript }) {
 }
 
 /** @param {string} name */
-function wordsText(name) {
+export function wordsText(name) {
   const { comment, words } = wordsOf(name);
   const meanings = words.map(({ word, meaning }) => `- \`'${word}'\`: ${meaning}`).join('\n * ');
   const type = words.map(({ word }) => `'${word}'`).join(' | ');
@@ -167,6 +168,7 @@ const pythonTypes = /** @type {Record<string, [string, string?]>} */ ({
   Vec3: ['np.ndarray', 'ndarray of float64, shape (3,)'],
   SurfacePoint: ['np.ndarray', 'ndarray of float64, shape (3,)'],
   GirthProfile: ['np.ndarray', 'ndarray of float64, shape (stations, 4)'],
+  'std::string': ['str'],
   'std::string_view': ['str'],
   'std::vector<CurveSide>': ['np.ndarray', 'ndarray of float64, shape (sides, 2)'],
   'std::vector<double>': ['np.ndarray', 'ndarray of float64'],

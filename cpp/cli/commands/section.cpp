@@ -1,6 +1,7 @@
 // girth section: the curves in which planes cut a surface.
 #include "girth/section.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -15,6 +16,8 @@
 #include "commands/measure.h"
 #include "commands/section_landmarks.h"
 #include "commands/table.h"
+#include "girth/describe/landmarks.h"
+#include "girth/describe/section.h"
 #include "girth/io/result_csv.h"
 #include "girth/io/result_json.h"
 #include "girth/io/write_section.h"
@@ -41,6 +44,10 @@ struct Options : MeasuringOptions {
   bool widest{false};
   bool narrowest{false};
   bool byTape{false};
+  bool inscribed{false};
+  bool limbs{false};
+  /// One tape, and one row, for all curves of a plane.
+  bool overAll{false};
   /// As typed: two lengths.
   std::string within;
   std::string landmarks;
@@ -134,40 +141,51 @@ Result<Sections> throughPoint(const Options& options, const io::LoadedMesh& load
                               const Vec3& direction) {
   const auto point = surfacePoint(loaded, *options.through, options.model, options.preparing);
   if (!point) return point.error();
-  const auto normal =
-      options.across ? directionAlong(loaded.mesh, point.value()) : Result<Vec3>(direction);
-  if (!normal) return normal.error();
-  const auto offset = heightOf(loaded.mesh, normal.value(), point.value());
-  if (!offset) return offset.error();
-  auto section = findSection(loaded.mesh, normal.value(), offset.value());
-  if (!section) return section.error();
-  return only(std::move(section).value());
+  return sectionsThrough(loaded.mesh,
+                         {{point.value()}, direction, options.across, options.inscribed},
+                         {options.threads, nullptr, {}});
 }
 
 Result<Sections> extreme(const Options& options, const io::LoadedMesh& loaded,
                          const Vec3& direction, const HeightRange& whole) {
   const auto range = typedRange(options, loaded, whole);
   if (!range) return range.error();
-  auto section = extremeSection(loaded.mesh, direction, range.value(),
-                                options.widest ? SectionExtreme::Widest : SectionExtreme::Narrowest,
-                                options.byTape ? SectionMeasure::Tape : SectionMeasure::Perimeter,
-                                {options.threads, nullptr, {}});
+  auto section = extremeSection(
+      loaded.mesh,
+      {direction, options.widest ? SectionExtreme::Widest : SectionExtreme::Narrowest,
+       range.value().low, range.value().high,
+       options.byTape ? SectionMeasure::Tape : SectionMeasure::Perimeter, options.inscribed},
+      {options.threads, nullptr, {}});
   if (!section) return section.error();
   return only(std::move(section).value());
+}
+
+/// Finds the limbs of the model, and that of each curve.
+std::optional<Error> findLimbsOf(const Options& options, const io::LoadedMesh& loaded,
+                                 Sections& sections) {
+  const auto tips = computeTips(options.model, loaded.mesh, 0, options.threads);
+  if (!tips) return tips.error();
+  ProgressLine progress(options.model);
+  const auto limbs = findLimbs(loaded.mesh, tips.value().girth.values, tips.value().tips.tips, {},
+                               watched(options.threads, progress));
+  if (!limbs) return limbs.error();
+  placeOnLimbs(loaded.mesh, limbs.value().limbs, sections);
+  return std::nullopt;
 }
 
 Result<Sections> compute(const Options& options, const io::LoadedMesh& loaded) {
   const Vec3 direction = options.along.value_or(usualDirection(loaded));
   const auto range = heightRange(loaded.mesh, direction);
   if (!range) return usageError("--along 0,0,0 is no direction", "type x, y, z or as 0,0.5,1");
-  const auto found = [&]() -> Result<Sections> {
+  auto found = [&]() -> Result<Sections> {
     if (options.through && options.every.empty()) return throughPoint(options, loaded, direction);
     if (options.widest || options.narrowest) {
       return extreme(options, loaded, direction, range.value());
     }
     const auto offsets = offsetsOf(options, loaded, range.value());
     if (!offsets) return offsets.error();
-    return findSections(loaded.mesh, direction, offsets.value(), {options.threads, nullptr, {}});
+    return findSections(loaded.mesh, {direction, offsets.value(), options.inscribed},
+                        {options.threads, nullptr, {}});
   }();
   if (!found) return found.error();
   bool isAny = false;
@@ -179,7 +197,22 @@ Result<Sections> compute(const Options& options, const io::LoadedMesh& loaded) {
                           " to " + readable(range.value().high) + unit +
                           "; its lowest faces have nothing below them");
   }
+  if (options.limbs) {
+    if (auto error = findLimbsOf(options, loaded, found.value())) return *std::move(error);
+  }
   return found;
+}
+
+/// Words on a curve besides its measures.
+std::string wordsOf(const SectionCurve& curve) {
+  std::string words;
+  if (!std::isnan(curve.inscribedDiameter)) {
+    words += "  (circle " + readable(curve.inscribedDiameter) + ")";
+  }
+  if (curve.limb != kNoIndex) words += "  (limb " + std::to_string(curve.limb) + ")";
+  if (curve.hole) words += "  (a hole)";
+  if (!curve.closed) words += "  (open)";
+  return words;
 }
 
 void printText(const std::string& model, const io::LoadedMesh& loaded, const Sections& sections) {
@@ -192,11 +225,11 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Sec
     const Section& section = sections.sections[s];
     for (std::size_t c = 0; c < section.curves.size(); ++c, ++rows) {
       const SectionCurve& curve = section.curves[c];
-      std::printf("  %7zu %12s %5zu %12s %12s %12s %12s %12s%s%s\n", s,
+      std::printf("  %7zu %12s %5zu %12s %12s %12s %12s %12s%s\n", s,
                   readable(section.offset).c_str(), c, readable(curve.perimeter).c_str(),
                   readable(curve.tape).c_str(), readable(curve.area).c_str(),
                   readable(curve.leastWidth).c_str(), readable(curve.greatestWidth).c_str(),
-                  curve.hole ? "  (a hole)" : "", curve.closed ? "" : "  (open)");
+                  wordsOf(curve).c_str());
     }
     if (section.curves.empty()) {
       std::printf("  %7zu %12s  no curve\n", s, readable(section.offset).c_str());
@@ -206,6 +239,24 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Sec
       std::printf("  ... and %zu more sections, which -o writes\n",
                   sections.sections.size() - s - 1);
     }
+  }
+  printUnits(loaded.unit);
+}
+
+/// A row for each plane: one tape round all of its curves.
+void printPlanes(const std::string& model, const io::LoadedMesh& loaded, const Sections& found) {
+  const std::size_t count = found.sections.size();
+  std::printf("%s: %zu section%s\n", model.c_str(), count, count == 1 ? "" : "s");
+  std::printf("  %7s %12s %6s %12s %12s %12s\n", "section", "offset", "curves", "perimeter", "tape",
+              "area");
+  for (std::size_t s = 0; s < std::min(count, kMostRows); ++s) {
+    const Section& section = found.sections[s];
+    std::printf("  %7zu %12s %6zu %12s %12s %12s\n", s, readable(section.offset).c_str(),
+                section.curves.size(), readable(section.perimeter).c_str(),
+                readable(section.tape).c_str(), readable(section.area).c_str());
+  }
+  if (count > kMostRows) {
+    std::printf("  ... and %zu more sections, which -o writes\n", count - kMostRows);
   }
   printUnits(loaded.unit);
 }
@@ -237,9 +288,12 @@ int measureNamed(const Options& options) {
   return measure<NamedMeasures>(
       options,
       [&](const io::LoadedMesh& loaded) {
-        return measureLandmarks(options.landmarks, loaded,
-                                options.along.value_or(usualDirection(loaded)), options.model,
-                                options.preparing);
+        auto landmarks = landmarksOf(options.landmarks, loaded, options.model, options.preparing);
+        if (!landmarks) return Result<NamedMeasures>(landmarks.error());
+        return measureLandmarks(
+            loaded.mesh,
+            {std::move(landmarks).value(), options.along.value_or(usualDirection(loaded))},
+            {options.threads, nullptr, {}});
       },
       writers);
 }
@@ -247,11 +301,18 @@ int measureNamed(const Options& options) {
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
   const Writers<Sections> writers{
-      {{".csv", io::sectionsCsv}, {".obj", io::sectionsObj}, {".glb", io::sectionsGlb}},
+      {{".csv",
+        [options](const io::LoadedMesh& loaded, const Sections& sections) {
+          return options->overAll ? io::resultCsv(loaded, sections)
+                                  : io::sectionsCsv(loaded, sections);
+        }},
+       {".obj", io::sectionsObj},
+       {".glb", io::sectionsGlb}},
       [options](const io::LoadedMesh& loaded, const Sections& sections) {
         return io::sectionsJson(loaded, sections, options->model);
       },
       [options](const io::LoadedMesh& loaded, const Sections& sections) {
+        if (options->overAll) return printPlanes(options->model, loaded, sections);
         printText(options->model, loaded, sections);
       }};
   table.add("MODEL", options->model, "The model to read").required();
@@ -289,10 +350,22 @@ Run add(OptionTable& table) {
   table.add("--by-tape", options->byTape,
             "--widest and --narrowest compare one tape round all curves of a plane, not the sum of "
             "their perimeters");
+  table.onValue(
+      "--tape-over WHAT",
+      [options](const std::string& text) -> std::string {
+        options->overAll = text == "all";
+        return options->overAll || text == "curve" ? "" : "tapes go over all or over each curve";
+      },
+      "all: a row for each plane in text and CSV, with one tape round all of its curves. curve: a "
+      "row and a tape for each curve. Default: curve");
+  table.add("--inscribed", options->inscribed,
+            "Find the largest circle inside each curve too, which takes longer");
+  table.add("--limbs", options->limbs,
+            "Find the limbs of the model too, and on which one each curve lies");
   table.add(
       "--landmarks FILE", options->landmarks,
       "Named measures: a JSON array of objects with name, point (12, or \"7:0.2,0.3,0.5\"), how "
-      "(girth, section, tape or distance), to (of a distance), across (true or false)");
+      "(girth, section, tape or distance), to (of a distance), across and all (true or false)");
   table.add("--levels N", options->levels, "So many planes, evenly over the whole height")
       .range(1, static_cast<double>(kMostPlanes))
       .excludes("--through");

@@ -6,9 +6,6 @@
 #include <utility>
 
 #include "files/read_file.h"
-#include "girth/geodesic_solver.h"
-#include "girth/girth_solver.h"
-#include "girth/section.h"
 #include "model/typed_point.h"
 
 namespace girth::cli {
@@ -19,12 +16,10 @@ using nlohmann::json;
 constexpr MeasureKind kMeasureKinds[]{MeasureKind::Girth, MeasureKind::Section, MeasureKind::Tape,
                                       MeasureKind::Distance};
 
-/// A landmark as it stands in the file.
-struct Landmark {
-  std::string name;
-  MeasureKind how{MeasureKind::Girth};
+/// A landmark as it stands in the file: its points are typed.
+struct TypedLandmark {
+  Landmark landmark;
   TypedPoint point, to;
-  bool across{false};
 };
 
 /// Reads a point. Returns what is wrong with it; empty: nothing.
@@ -39,24 +34,33 @@ std::string readMember(const json& landmark, const char* name, TypedPoint& point
   return readPoint(found->get<std::string>(), point);
 }
 
+/// Reads a member that is true or false, if it is there. Returns what is wrong with it.
+std::string readSwitch(const json& landmark, const char* name, bool& isSo) {
+  const auto found = landmark.find(name);
+  if (found == landmark.end()) return "";
+  if (!found->is_boolean()) return std::string("\"") + name + "\" is neither true nor false";
+  isSo = found->get<bool>();
+  return "";
+}
+
 /// Reads a landmark. Returns what is wrong with it; empty: nothing.
-std::string readLandmark(const json& from, Landmark& landmark) {
+std::string readLandmark(const json& from, TypedLandmark& typed) {
   if (!from.is_object()) return "is no object";
-  const auto name = from.find("name"), how = from.find("how"), across = from.find("across");
+  const auto name = from.find("name"), how = from.find("how");
   if (name == from.end() || !name->is_string()) return "has no \"name\"";
-  landmark.name = name->get<std::string>();
+  typed.landmark.name = name->get<std::string>();
   const std::string word = how != from.end() && how->is_string() ? how->get<std::string>() : "";
   const auto* const kind = std::find_if(std::begin(kMeasureKinds), std::end(kMeasureKinds),
                                         [&](MeasureKind one) { return toString(one) == word; });
   if (kind == std::end(kMeasureKinds)) {
     return "has no \"how\" that is \"girth\", \"section\", \"tape\" or \"distance\"";
   }
-  landmark.how = *kind;
-  if (across != from.end() && !across->is_boolean()) return "\"across\" is neither true nor false";
-  landmark.across = across != from.end() && across->get<bool>();
-  std::string problem = readMember(from, "point", landmark.point);
-  if (problem.empty() && landmark.how == MeasureKind::Distance) {
-    problem = readMember(from, "to", landmark.to);
+  typed.landmark.how = *kind;
+  std::string problem = readSwitch(from, "across", typed.landmark.across);
+  if (problem.empty()) problem = readSwitch(from, "all", typed.landmark.all);
+  if (problem.empty()) problem = readMember(from, "point", typed.point);
+  if (problem.empty() && typed.landmark.how == MeasureKind::Distance) {
+    problem = readMember(from, "to", typed.to);
   }
   return problem;
 }
@@ -67,7 +71,7 @@ Error malformed(const std::string& file, std::string message, std::int64_t eleme
   return error;
 }
 
-Result<std::vector<Landmark>> readLandmarks(const std::string& file) {
+Result<std::vector<TypedLandmark>> readLandmarks(const std::string& file) {
   const auto bytes = io::readFile(file);
   if (!bytes) {
     Error error = bytes.error();
@@ -77,91 +81,45 @@ Result<std::vector<Landmark>> readLandmarks(const std::string& file) {
   const auto* const begin = reinterpret_cast<const char*>(bytes.value().data());
   const json all = json::parse(begin, begin + bytes.value().size(), nullptr, false);
   if (!all.is_array()) return malformed(file, "it is no JSON array of landmarks");
-  std::vector<Landmark> landmarks;
+  std::vector<TypedLandmark> landmarks;
   for (const json& one : all) {
-    const std::size_t number = landmarks.size() + 1;
-    if (const std::string problem = readLandmark(one, landmarks.emplace_back()); !problem.empty()) {
-      return malformed(file, "landmark " + std::to_string(number) + " " + problem,
+    const std::size_t number = landmarks.size();
+    TypedLandmark& typed = landmarks.emplace_back();
+    if (const std::string problem = readLandmark(one, typed); !problem.empty()) {
+      const std::string& name = typed.landmark.name;
+      const std::string which = name.empty() ? "" : " (" + name + ")";
+      return malformed(file, "landmark " + std::to_string(number) + which + " " + problem,
                        static_cast<std::int64_t>(number));
     }
   }
   return landmarks;
 }
 
-Result<NamedMeasure> measured(const Landmark& landmark, const SurfacePoint& point,
-                              const SurfacePoint& to, const SurfaceMesh& mesh, const Vec3& usual) {
-  NamedMeasure measure{landmark.name, landmark.how, point, 0, {}};
-  if (landmark.how == MeasureKind::Girth) {
-    auto loop = GirthSolver(mesh).loop(point);
-    if (!loop) return loop.error();
-    measure.length = loop.value().length;
-    measure.points = std::move(loop.value().points);
-    return measure;
-  }
-  if (landmark.how == MeasureKind::Distance) {
-    auto path = GeodesicSolver(mesh).path(point, to);
-    if (!path) return path.error();
-    measure.length = path.value().length;
-    measure.points = std::move(path.value().points);
-    return measure;
-  }
-  const auto normal = landmark.across ? directionAlong(mesh, point) : Result<Vec3>(usual);
-  if (!normal) return normal.error();
-  const auto offset = heightOf(mesh, normal.value(), point);
-  if (!offset) return offset.error();
-  const auto section = findSection(mesh, normal.value(), offset.value());
-  if (!section) return section.error();
-  const SectionCurve* curve = curveThrough(mesh, section.value(), point);
-  if (curve == nullptr) {
-    return makeError(ErrorCode::InvalidPoint, -1,
-                     "the plane through the point only touches the surface");
-  }
-  measure.length = landmark.how == MeasureKind::Tape ? curve->tape : curve->perimeter;
-  measure.points = curve->points;
-  return measure;
-}
-
 }  // namespace
 
-std::string_view toString(MeasureKind kind) {
-  switch (kind) {
-    case MeasureKind::Girth:
-      return "girth";
-    case MeasureKind::Section:
-      return "section";
-    case MeasureKind::Tape:
-      return "tape";
-    case MeasureKind::Distance:
-      return "distance";
-  }
-  return "";
-}
-
-Result<NamedMeasures> measureLandmarks(const std::string& file, const io::LoadedMesh& loaded,
-                                       const Vec3& normal, const std::string& model,
-                                       const ModelOptions& preparing) {
-  const auto landmarks = readLandmarks(file);
-  if (!landmarks) return landmarks.error();
-  NamedMeasures all;
-  for (const Landmark& landmark : landmarks.value()) {
-    const auto measure = [&]() -> Result<NamedMeasure> {
-      const auto point = surfacePoint(loaded, landmark.point, model, preparing);
-      if (!point) return point.error();
-      if (landmark.how != MeasureKind::Distance) {
-        return measured(landmark, point.value(), {}, loaded.mesh, normal);
+Result<std::vector<Landmark>> landmarksOf(const std::string& file, const io::LoadedMesh& loaded,
+                                          const std::string& model, const ModelOptions& preparing) {
+  auto typed = readLandmarks(file);
+  if (!typed) return typed.error();
+  std::vector<Landmark> landmarks;
+  for (auto& [landmark, point, to] : typed.value()) {
+    const auto place = [&](const TypedPoint& meant, SurfacePoint& found) -> std::optional<Error> {
+      const auto there = surfacePoint(loaded, meant, model, preparing);
+      if (there) {
+        found = there.value();
+        return std::nullopt;
       }
-      const auto to = surfacePoint(loaded, landmark.to, model, preparing);
-      if (!to) return to.error();
-      return measured(landmark, point.value(), to.value(), loaded.mesh, normal);
-    }();
-    if (!measure) {
-      Error error = measure.error();
+      Error error = there.error();
       error.message = landmark.name + ": " + error.message;
       return error;
+    };
+    if (auto error = place(point, landmark.point)) return *std::move(error);
+    if (landmark.how == MeasureKind::Distance) {
+      if (auto error = place(to, landmark.to)) return *std::move(error);
     }
-    all.measures.push_back(measure.value());
+    landmarks.push_back(std::move(landmark));
   }
-  return all;
+  return landmarks;
 }
 
 }  // namespace girth::cli

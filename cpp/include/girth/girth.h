@@ -34,7 +34,6 @@
 #include "girth/remesh.h"
 #include "girth/remove_handles.h"
 #include "girth/search_statistics.h"
-#include "girth/section.h"
 #include "girth/segments.h"
 #include "girth/smooth_surface.h"
 #include "girth/spectrum.h"

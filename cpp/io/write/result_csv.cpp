@@ -27,8 +27,8 @@ void CsvRow::operator()(std::string_view, Vertex vertex) {
   add(input == kNoIndex ? std::string() : std::to_string(input));
 }
 
-void CsvRow::operator()(std::string_view, const Vec3& place) {
-  for (const double number : {place.x, place.y, place.z}) add(formatNumber(number));
+void CsvRow::operator()(std::string_view name, const Vec3& place) {
+  for (const double number : {place.x, place.y, place.z}) (*this)(name, number);
 }
 
 void CsvRow::operator()(std::string_view name, const SurfacePoint& place) {

@@ -11,7 +11,9 @@ ResultJson::ResultJson(std::string_view file, const LoadedMesh& loaded)
 }
 
 std::string ResultJson::textOf(const Vec3& point) const {
-  return "[" + pointText(point, ',') + "]";
+  JsonList numbers;
+  for (const double number : {point.x, point.y, point.z}) numbers.add(numberJson(number));
+  return numbers.text();
 }
 
 std::string ResultJson::textOf(const SurfacePoint& point) const {

@@ -36,11 +36,12 @@ std::string sectionsJson(const LoadedMesh& loaded, const Sections& sections,
 }
 
 std::string sectionsCsv(const LoadedMesh& loaded, const Sections& sections) {
-  ResultCsv<SectionCurve> csv(loaded, "section,offset,curve");
+  ResultCsv<SectionCurve> csv(loaded, "section,offset,curve,limb");
   forEachCurve(sections, [&](const Section& section, std::size_t s, const SectionCurve& curve,
                              std::size_t c) {
-    csv.add(curve,
-            std::to_string(s) + "," + formatNumber(section.offset) + "," + std::to_string(c));
+    csv.add(curve, std::to_string(s) + "," + formatNumber(section.offset) + "," +
+                       std::to_string(c) + "," +
+                       (curve.limb == kNoIndex ? "" : std::to_string(curve.limb)));
   });
   return csv.text();
 }

@@ -14,7 +14,7 @@ void bindSurface(pybind11::module_& module);
 void bindFiles(pybind11::module_& module);
 /// Tips, limbs, parts, maxima and print checks.
 void bindAnalysis(pybind11::module_& module);
-/// Necks, sections, handles and their removal, bottlenecks, profiles and cuts.
+/// Necks, handles and their removal, bottlenecks, profiles and cuts.
 void bindLoops(pybind11::module_& module);
 /// Fields that shapes are compared by, and the distances between shapes.
 void bindComparison(pybind11::module_& module);

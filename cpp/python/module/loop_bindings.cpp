@@ -18,7 +18,6 @@
 #include "girth/describe/limb_axis.h"
 #include "girth/describe/necks.h"
 #include "girth/describe/remove_handles.h"
-#include "girth/describe/section.h"
 #include "girth/io/write_cut.h"
 #include "girth/path_profile.h"
 #include "points.h"
@@ -42,17 +41,6 @@ py::tuple necksOf(const Shared& surface, double minProminence, const Running& ru
         return findNecks(surface->mesh(), girth.value()->values, {minProminence}, context);
       });
   return py::make_tuple(listOf(surface->loaded(), found.necks), found.unresolved);
-}
-
-/// A list of sections.
-py::list sectionsOf(const Shared& surface, const std::tuple<double, double, double>& normal,
-                    const std::vector<double>& offsets, const Running& running) {
-  const Sections found =
-      compute<Sections>(running, [surface, normal, offsets](const ExecutionContext& context) {
-        const auto& [x, y, z] = normal;
-        return findSections(surface->mesh(), {x, y, z}, offsets, context);
-      });
-  return listOf(surface->loaded(), found.sections);
 }
 
 /// (handles, unresolved)
@@ -188,7 +176,6 @@ py::tuple cutAlong(const Shared& surface, const std::vector<CurveArrays>& curves
 
 void bindLoops(py::module_& module) {
   module.def("necks", &necksOf);
-  module.def("sections", &sectionsOf);
   module.def("handles", &handlesOf);
   module.def("remove_handles", &withoutHandles);
   module.def("bottleneck", &bottleneckOf);

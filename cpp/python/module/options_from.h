@@ -26,8 +26,19 @@ class OptionsFrom {
     const auto whole = from.cast<std::int64_t>();
     number = whole >= 0 && whole < std::int64_t{kNoIndex} ? static_cast<Index>(whole) : kNoIndex;
   }
+  void read(pybind11::handle from, std::string& text) const { text = from.cast<std::string>(); }
+  /// None: the one that the options have at first.
   void read(pybind11::handle from, SurfacePoint& point) const {
-    point = pointOf(from.cast<Point>());
+    if (!from.is_none()) point = pointOf(from.cast<Point>());
+  }
+  /// A word that Python has checked.
+  template <class Word>
+  requires std::is_enum_v<Word>
+  void read(pybind11::handle from, Word& word) const {
+    const auto text = from.cast<std::string>();
+    for (int code = 0; !toString(static_cast<Word>(code)).empty(); ++code) {
+      if (toString(static_cast<Word>(code)) == text) word = static_cast<Word>(code);
+    }
   }
   void read(pybind11::handle from, Vec3& place) const {
     const auto numbers = from.cast<std::vector<double>>();

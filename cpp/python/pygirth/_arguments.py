@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 import os
-from typing import Any, Callable, Optional, Sequence, Union
+from typing import Any, Callable, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
@@ -84,6 +84,21 @@ def real_number(value: Any, name: str) -> float:
         return float(value)
     except (TypeError, ValueError, OverflowError):
         raise input_error("INVALID_OPTION", f"{name} is {value!r}, not a number") from None
+
+
+def three_numbers(values: Any, name: str) -> list[float]:
+    """A place or a direction."""
+    array = np.asarray(values)
+    if array.shape != (3,):
+        raise input_error("USAGE", f"{name} has three numbers")
+    return [real_number(value, name) for value in array]
+
+
+def entry_of(values: Mapping[str, Any], name: str) -> Any:
+    """An entry that must be there."""
+    if not isinstance(values, Mapping) or name not in values:
+        raise input_error("USAGE", f"there is no {name!r}", "pass a dictionary that has it")
+    return values[name]
 
 
 def face_count(value: Any) -> int:

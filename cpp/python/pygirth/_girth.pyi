@@ -140,9 +140,6 @@ def save_fields(surface: Surface, path: str, fields: Sequence[_File], /) -> None
 def necks(
     surface: Surface, min_prominence: float, running: Running, /
 ) -> tuple[list[dict[str, Any]], int]: ...
-def sections(
-    surface: Surface, normal: tuple[float, float, float], offsets: list[float], running: Running, /
-) -> list[dict[str, Any]]: ...
 def handles(
     surface: Surface, base_points: int, running: Running, /
 ) -> tuple[list[dict[str, Any]], int]: ...

@@ -8,7 +8,7 @@ import numpy as np
 
 from pygirth._result import Result
 
-__all__ = ["Distance", "Distances"]
+__all__ = ["Distance", "Distances", "NamedMeasure", "NamedMeasures", "Sections"]
 
 
 class _Members(Result):
@@ -150,6 +150,46 @@ class Handle(_Members):
     centre: np.ndarray
     points: np.ndarray
     _curve: tuple[np.ndarray, np.ndarray]
+
+
+class NamedMeasure(_Members):
+    """A measure at a landmark.
+
+    Attributes
+    ----------
+    name : str
+        The name of the landmark.
+    how : str
+        How it was measured. ``"girth"``: The length of the girth loop. ``"section"``: The
+        perimeter of the curve of a plane through the point. ``"tape"``: The tape of that curve.
+        ``"distance"``: The distance to another point, along the surface.
+    point : ndarray of float64, shape (3,)
+        The point of the landmark.
+    length : float
+        The measure, in model units; infinite for a distance that has no path.
+    points : ndarray of float64, shape (k, 3)
+        The curve that was measured; of all curves of a plane none.
+    """
+
+    name: str
+    how: str
+    point: np.ndarray
+    length: float
+    points: np.ndarray
+    _curve: tuple[np.ndarray, np.ndarray]
+
+
+class NamedMeasures(_Members):
+    """Measures at landmarks.
+
+    Attributes
+    ----------
+    measures : list of NamedMeasure
+        In the order of the landmarks.
+    """
+
+    _entries = {"measures": "NamedMeasure"}
+    measures: list["NamedMeasure"]
 
 
 class AxisLoop(_Members):
@@ -466,12 +506,21 @@ class SectionCurve(_Members):
         The greatest one, in model units: that of its two points that are farthest apart.
     centre : ndarray of float64, shape (3,)
         The centroid of its area; of an open curve, of its length.
+    inscribed_diameter : float
+        The diameter of the largest circle in the plane that it encloses and none of its holes
+        meets, in model units; 0 where it is open. NaN where circles were not asked for.
+    inscribed_centre : ndarray of float64, shape (3,)
+        The centre of that circle, of several equal ones of any; ``centre`` where there is none.
+        NaN where circles were not asked for.
     closed : bool
         False where it ends at the surface's boundary.
     hole : bool
         Whether it bounds a hole in another curve: what the surface encloses lies round it.
     component : int
         The component of the surface that it lies on.
+    limb : int, or None
+        The number of the limb that it lies on, where limbs were asked for: more than half of
+        its length does.
     points : ndarray of float64, shape (k, 3)
         The edges that it crosses and the vertices that it passes, in order; straight between
         neighbours. Seen from the tip of the plane's normal, what the surface encloses lies on
@@ -485,9 +534,12 @@ class SectionCurve(_Members):
     least_width: float
     greatest_width: float
     centre: np.ndarray
+    inscribed_diameter: float
+    inscribed_centre: np.ndarray
     closed: bool
     hole: bool
     component: int
+    limb: Optional[int]
     points: np.ndarray
     _curve: tuple[np.ndarray, np.ndarray]
 
@@ -519,6 +571,19 @@ class Section(_Members):
     tape: float
     area: float
     curves: list["SectionCurve"]
+
+
+class Sections(_Members):
+    """The curves that several planes cut.
+
+    Attributes
+    ----------
+    sections : list of Section
+        In the order in which the planes were given.
+    """
+
+    _entries = {"sections": "Section"}
+    sections: list["Section"]
 
 
 class Contour(_Members):

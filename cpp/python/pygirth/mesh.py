@@ -46,7 +46,6 @@ from pygirth.results import (
     PrintCheck,
     Profile,
     RefinedGirth,
-    Section,
     Segments,
     Tips,
 )
@@ -483,47 +482,6 @@ class Mesh(Analyses, Fields):
         least = _not_negative(min_prominence, "min_prominence")
         found, unresolved = _girth.necks(self._surface, least, running(threads, progress))
         return Necks([Neck(neck) for neck in found], unresolved)
-
-    def sections(
-        self,
-        normal: Sequence[float],
-        offsets: Union[float, Sequence[float]],
-        *,
-        threads: Optional[int] = None,
-        progress: Progress = None,
-    ) -> list[Section]:
-        """Where planes of one normal cut the surface, and what is measured of the curves.
-
-        Parameters
-        ----------
-        normal : three floats
-            The planes' normal, of any length but 0.
-        offsets : float or floats
-            Where the planes lie along the normal, in model units.
-        threads, progress
-            As of `igf`.
-
-        Returns
-        -------
-        list of Section
-            One for each offset. Those of the command ``girth section``, to the bit.
-
-        Raises
-        ------
-        GirthError
-            INVALID_OPTION where the normal has no length, or an offset is not finite.
-
-        Examples
-        --------
-        >>> mesh.sections([0, 0, 1], 1.05)[0].tape
-        """
-        along = np.asarray(normal, np.float64)
-        if along.shape != (3,):
-            raise input_error("USAGE", "the normal has three numbers")
-        places = [float(place) for place in np.atleast_1d(np.asarray(offsets, np.float64))]
-        x, y, z = (float(part) for part in along)
-        found = _girth.sections(self._surface, (x, y, z), places, running(threads, progress))
-        return [Section(section) for section in found]
 
     def segments(
         self,

@@ -5,17 +5,22 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "analysis/convex_hull.h"
+#include "analysis/inscribed_circle.h"
 #include "analysis/plane_frame.h"
 #include "girth/girth_solver.h"
 #include "girth/parallel.h"
 #include "girth/shape_diameter.h"
 #include "infinity.h"
+#include "least_between.h"
 #include "mesh/angles.h"
+#include "mesh/check_point.h"
 #include "mesh/level_walk.h"
 #include "mesh/vector.h"
+#include "no_value.h"
 
 namespace girth {
 namespace {
@@ -40,6 +45,10 @@ std::optional<Vec3> unitVector(const Vec3& normal) {
 
 Error noDirection() {
   return makeError(ErrorCode::InvalidOption, -1, "the plane's normal has no finite length above 0");
+}
+
+Error cancelledSections() {
+  return makeError(ErrorCode::Cancelled, -1, "the sections were cancelled");
 }
 
 /// A closed curve flat in the plane, and what it encloses.
@@ -122,7 +131,7 @@ class SectionCutter {
 
   /// The section at an offset. `visited`: for each face a stamp that differs from this one.
   Section cut(double offset, std::span<const Face> crossed, std::size_t stamp,
-              std::vector<std::size_t>& visited) const {
+              std::vector<std::size_t>& visited, bool inscribed) const {
     Section section;
     section.normal = normal_;
     section.offset = offset;
@@ -132,7 +141,7 @@ class SectionCutter {
         section.curves.push_back(std::move(*curve));
       }
     }
-    measure(section);
+    measure(section, inscribed);
     return section;
   }
 
@@ -174,6 +183,7 @@ class SectionCutter {
                                      std::vector<std::size_t>& visited) const {
     const LevelWalk walk = walkAt(offset);
     SectionCurve curve;
+    curve.inscribedCentre = {kNoValue, kNoValue, kNoValue};
     curve.component = mesh_.componentOf(mesh_.faceVertices(start)[0]);
     std::vector<SurfacePoint>& points = curve.points;
     const auto add = [&points](const SurfacePoint& point) {
@@ -205,7 +215,7 @@ class SectionCutter {
     return curve;
   }
 
-  void measure(Section& section) const {
+  void measure(Section& section, bool inscribed) const {
     std::vector<SectionCurve>& curves = section.curves;
     if (curves.empty()) return;
     // Flat, round a point of the section: far from the origin nothing is lost.
@@ -223,6 +233,12 @@ class SectionCutter {
       all.insert(all.end(), hull.begin(), hull.end());
     }
     section.tape = perimeterOf(convexHull(std::move(all)));
+    if (inscribed) {
+      for (SectionCurve& curve : curves) {
+        curve.inscribedDiameter = 0;
+        curve.inscribedCentre = curve.centre;
+      }
+    }
     const std::vector<std::size_t> holeIn = findHoles(curves, outlines);
     for (std::size_t i = 0; i < curves.size(); ++i) {
       SectionCurve& curve = curves[i];
@@ -241,7 +257,22 @@ class SectionCutter {
         curve.centre = planar(origin, {moment.x / curve.area, moment.y / curve.area});
       }
       if (!curve.hole) section.area += curve.area;
+      if (inscribed) inscribe(curve, i, holeIn, outlines, origin);
     }
+  }
+
+  /// Finds the largest circle inside a closed curve. `holeIn`: in which curve each is a hole.
+  void inscribe(SectionCurve& curve, std::size_t place, const std::vector<std::size_t>& holeIn,
+                const std::vector<Outline>& outlines, const Vec3& origin) const {
+    curve.inscribedCentre = curve.centre;
+    if (!(curve.area > kNoArea * curve.perimeter * curve.perimeter)) return;
+    std::vector<std::vector<Point2>> rings{outlines[place].corners};
+    for (std::size_t j = 0; j < outlines.size(); ++j) {
+      if (holeIn[j] == place) rings.push_back(outlines[j].corners);
+    }
+    const InscribedCircle circle = inscribedCircle(rings);
+    curve.inscribedDiameter = 2 * circle.radius;
+    if (circle.radius > 0) curve.inscribedCentre = planar(origin, circle.centre);
   }
 
   /// Measures the curve's length, and its middle by length.
@@ -323,9 +354,10 @@ Result<HeightRange> heightRange(const SurfaceMesh& mesh, const Vec3& normal) {
   return range;
 }
 
-Result<Sections> findSections(const SurfaceMesh& mesh, const Vec3& normal,
-                              std::span<const double> offsets, const ExecutionContext& context) {
-  const auto unit = unitVector(normal);
+Result<Sections> findSections(const SurfaceMesh& mesh, const SectionsOptions& options,
+                              const ExecutionContext& context) {
+  const std::vector<double>& offsets = options.offsets;
+  const auto unit = unitVector(options.normal);
   if (!unit) return noDirection();
   for (const double offset : offsets) {
     if (!std::isfinite(offset)) {
@@ -347,17 +379,57 @@ Result<Sections> findSections(const SurfaceMesh& mesh, const Vec3& normal,
       parallelFor(offsets.size(), kPlanesAtOnce, context, [&](std::size_t begin, std::size_t end) {
         std::vector<std::size_t> visited(mesh.faceCount(), 0);
         for (std::size_t k = begin; k < end; ++k) {
-          result.sections[order[k]] = cutter.cut(rising[k], crossed.of(k), k + 1, visited);
+          result.sections[order[k]] =
+              cutter.cut(rising[k], crossed.of(k), k + 1, visited, options.inscribed);
         }
       });
-  if (!isDone) return makeError(ErrorCode::Cancelled, -1, "the sections were cancelled");
+  if (!isDone) return cancelledSections();
   return result;
 }
 
-Result<Section> findSection(const SurfaceMesh& mesh, const Vec3& normal, double offset) {
-  auto all = findSections(mesh, normal, {&offset, 1}, {1, nullptr, {}});
+namespace {
+
+Result<Section> onlySection(const SurfaceMesh& mesh, const SectionsOptions& plane) {
+  auto all = findSections(mesh, plane, {1, nullptr, {}});
   if (!all) return all.error();
   return std::move(all.value().sections.front());
+}
+
+}  // namespace
+
+Result<Section> findSection(const SurfaceMesh& mesh, const Vec3& normal, double offset) {
+  return onlySection(mesh, {normal, {offset}, false});
+}
+
+Result<Sections> sectionsThrough(const SurfaceMesh& mesh, const SectionsThroughOptions& options,
+                                 const ExecutionContext& context) {
+  for (const SurfacePoint& point : options.points) {
+    if (auto error = checkPoint(mesh, point)) return *std::move(error);
+  }
+  if (!options.across) {
+    SectionsOptions planes{options.normal, {}, options.inscribed};
+    for (const SurfacePoint& point : options.points) {
+      const auto offset = heightOf(mesh, options.normal, point);
+      if (!offset) return offset.error();
+      planes.offsets.push_back(offset.value());
+    }
+    return findSections(mesh, planes, context);
+  }
+  Sections found;
+  for (const SurfacePoint& point : options.points) {
+    if (context.cancelled()) return cancelledSections();
+    const auto normal = directionAlong(mesh, point);
+    if (!normal) return normal.error();
+    const double offset = dot(normal.value(), positionOf(mesh, point));
+    auto section = onlySection(mesh, {normal.value(), {offset}, options.inscribed});
+    if (!section) return section.error();
+    found.sections.push_back(std::move(section).value());
+    if (context.onProgress) {
+      context.onProgress(static_cast<double>(found.sections.size()) /
+                         static_cast<double>(options.points.size()));
+    }
+  }
+  return found;
 }
 
 const SectionCurve* curveThrough(const SurfaceMesh& mesh, const Section& section,
@@ -377,37 +449,92 @@ const SectionCurve* curveThrough(const SurfaceMesh& mesh, const Section& section
   return nearest;
 }
 
+void placeOnLimbs(const SurfaceMesh& mesh, std::span<const Limb> limbs, Sections& sections) {
+  std::vector<Index> limbOf(mesh.vertexCount(), kNoIndex);
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    for (const Vertex v : limbs[i].vertices) {
+      if (v < mesh.vertexCount()) limbOf[v] = static_cast<Index>(i);
+    }
+  }
+  const auto limbAt = [&](const SurfacePoint& point) {
+    const Halfedge h = point.halfedge();
+    if (h == Halfedge::none) return limbOf[point.vertex()];
+    return limbOf[point.weights[1] > 0.5 ? mesh.to(h) : mesh.from(h)];
+  };
+  std::vector<double> lengths(limbs.size());
+  for (Section& section : sections.sections) {
+    for (SectionCurve& curve : section.curves) {
+      std::fill(lengths.begin(), lengths.end(), 0.0);
+      for (std::size_t i = 1; i < curve.points.size(); ++i) {
+        const SurfacePoint &from = curve.points[i - 1], &to = curve.points[i];
+        const double half = norm(positionOf(mesh, to) - positionOf(mesh, from)) / 2;
+        for (const Index limb : {limbAt(from), limbAt(to)}) {
+          if (limb != kNoIndex) lengths[limb] += half;
+        }
+      }
+      const auto most = std::max_element(lengths.begin(), lengths.end());
+      const bool isOnLimb = most != lengths.end() && *most > curve.perimeter / 2;
+      curve.limb = isOnLimb ? static_cast<Index>(most - lengths.begin()) : kNoIndex;
+    }
+  }
+}
+
+std::string_view toString(SectionExtreme extreme) {
+  switch (extreme) {
+    case SectionExtreme::Widest:
+      return "widest";
+    case SectionExtreme::Narrowest:
+      return "narrowest";
+  }
+  return "";
+}
+
+std::string_view toString(SectionMeasure measure) {
+  switch (measure) {
+    case SectionMeasure::Perimeter:
+      return "perimeter";
+    case SectionMeasure::Tape:
+      return "tape";
+  }
+  return "";
+}
+
 namespace {
 
-/// The values of a measure at some offsets, which rise.
+/// Planes of one normal at some offsets, which rise, and the faces that each crosses.
 class MeasuredPlanes {
  public:
-  MeasuredPlanes(const SectionCutter& cutter, SectionMeasure measure,
-                 const ExecutionContext& context)
-      : cutter_(cutter), measure_(measure), context_(context) {}
+  MeasuredPlanes(const SectionCutter& cutter, SectionMeasure measure, std::vector<double> offsets)
+      : cutter_(cutter),
+        measure_(measure),
+        offsets_(std::move(offsets)),
+        crossed_(cutter.crossedBy(offsets_)) {}
 
-  /// Nothing where cancelled.
-  std::optional<std::vector<double>> at(const std::vector<double>& offsets) const {
-    const CrossedFaces crossed = cutter_.crossedBy(offsets);
-    std::vector<double> values(offsets.size());
-    const ExecutionContext quiet{context_.threads, context_.cancel, {}};
-    const bool isDone = parallelFor(
-        offsets.size(), kMeasuredAtOnce, quiet, [&](std::size_t begin, std::size_t end) {
+  /// Measures all of them. Nothing where cancelled.
+  std::optional<std::vector<double>> values(const ExecutionContext& context) const {
+    std::vector<double> found(offsets_.size());
+    const ExecutionContext quiet{context.threads, context.cancel, {}};
+    const bool isDone =
+        parallelFor(found.size(), kMeasuredAtOnce, quiet, [&](std::size_t begin, std::size_t end) {
           for (std::size_t k = begin; k < end; ++k) {
-            values[k] = cutter_.measured(measure_, offsets[k], crossed.of(k));
+            found[k] = measured(k, offsets_[k]);
           }
         });
     if (!isDone) return std::nullopt;
-    return values;
+    return found;
   }
-  double atOne(double offset) const {
-    return cutter_.measured(measure_, offset, cutter_.crossedBy({&offset, 1}).of(0));
+  double offset(std::size_t plane) const { return offsets_[plane]; }
+  std::size_t count() const { return offsets_.size(); }
+  /// The measure at an offset where the same faces are crossed as by one of the planes.
+  double measured(std::size_t plane, double offset) const {
+    return cutter_.measured(measure_, offset, crossed_.of(plane));
   }
 
  private:
   const SectionCutter& cutter_;
   SectionMeasure measure_;
-  const ExecutionContext& context_;
+  std::vector<double> offsets_;
+  CrossedFaces crossed_;
 };
 
 /// The offsets where pieces of the measure begin and end: just above each height of a vertex, where
@@ -428,39 +555,12 @@ std::vector<double> pieceEnds(const SectionCutter& cutter, const HeightRange& ra
   return ends;
 }
 
-/// The least value of a convex function between two offsets, by golden sections.
-double leastBetween(const MeasuredPlanes& planes, double low, double high) {
-  constexpr double kGolden = 0.6180339887498949;
-  double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
-  double atLeft = planes.atOne(left), atRight = planes.atOne(right);
-  while (low < left && left < right && right < high &&
-         high - low > kInPlane * std::max(std::fabs(low), std::fabs(high))) {
-    if (atLeft <= atRight) {
-      high = right;
-      right = left;
-      atRight = atLeft;
-      left = high - kGolden * (high - low);
-      atLeft = planes.atOne(left);
-    } else {
-      low = left;
-      left = right;
-      atLeft = atRight;
-      right = low + kGolden * (high - low);
-      atRight = planes.atOne(right);
-    }
-  }
-  return atLeft <= atRight ? left : right;
-}
-
-/// The offset of the least value, from those at the ends of pieces. `isCurved`: pieces are convex,
-/// not linear. Nothing where cancelled.
-std::optional<double> narrowestOffset(const MeasuredPlanes& planes, const std::vector<double>& ends,
-                                      const std::vector<double>& values, bool isCurved) {
-  std::vector<double> middles;
-  for (std::size_t k = 1; isCurved && k < ends.size(); ++k)
-    middles.push_back((ends[k - 1] + ends[k]) / 2);
-  const auto inside = planes.at(middles);
-  if (!inside) return std::nullopt;
+/// The offset of the least value: at an end of a piece, or within one where pieces are convex, not
+/// linear, by the planes in their middles. `values`: at the ends. Nothing where cancelled.
+std::optional<double> narrowestOffset(const SectionCutter& cutter, SectionMeasure measure,
+                                      const std::vector<double>& ends,
+                                      const std::vector<double>& values,
+                                      const ExecutionContext& context) {
   double best = kInfinity, offset = ends.front();
   const auto take = [&](double place, double value) {
     if (!(value > 0) || !(value < best)) return;
@@ -468,45 +568,69 @@ std::optional<double> narrowestOffset(const MeasuredPlanes& planes, const std::v
     offset = place;
   };
   for (std::size_t k = 0; k < ends.size(); ++k) take(ends[k], values[k]);
-  for (std::size_t k = 0; k < middles.size(); ++k) take(middles[k], (*inside)[k]);
-  for (std::size_t k = 0; k < middles.size(); ++k) {
+  if (measure == SectionMeasure::Perimeter) return offset;
+  // Just above the height of a vertex there is no piece: only the slack of its plane.
+  std::vector<std::size_t> pieces;
+  std::vector<double> places;
+  for (std::size_t k = 1; k < ends.size(); ++k) {
+    if (ends[k] - ends[k - 1] <= 4 * cutter.slack()) continue;
+    pieces.push_back(k);
+    places.push_back((ends[k - 1] + ends[k]) / 2);
+  }
+  const MeasuredPlanes middles(cutter, measure, std::move(places));
+  const auto inside = middles.values(context);
+  if (!inside) return std::nullopt;
+  for (std::size_t k = 0; k < middles.count(); ++k) take(middles.offset(k), (*inside)[k]);
+  for (std::size_t k = 0; k < middles.count(); ++k) {
+    if (context.cancelled()) return std::nullopt;
     const double middle = (*inside)[k];
     if (!(middle > 0)) continue;
     // Convex: on each half it lies above the line through the other half.
-    const double bound = 2 * middle - std::max(values[k], values[k + 1]);
+    const std::size_t end = pieces[k];
+    const double bound = 2 * middle - std::max(values[end - 1], values[end]);
     if (bound >= best) continue;
-    const double place = leastBetween(planes, ends[k], ends[k + 1]);
-    take(place, planes.atOne(place));
+    const double low = ends[end - 1], high = ends[end];
+    const double exact = kInPlane * std::max(std::fabs(low), std::fabs(high));
+    const LeastValue least =
+        leastBetween([&](double height) { return middles.measured(k, height); }, low, high,
+                     middles.offset(k), std::min(exact, (high - low) / 8));
+    take(least.at, least.value);
   }
   return offset;
 }
 
 }  // namespace
 
-Result<Section> extremeSection(const SurfaceMesh& mesh, const Vec3& normal,
-                               const HeightRange& range, SectionExtreme extreme,
-                               SectionMeasure measure, const ExecutionContext& context) {
-  const auto unit = unitVector(normal);
-  if (!unit) return noDirection();
-  if (!(range.low <= range.high) || !std::isfinite(range.low) || !std::isfinite(range.high)) {
-    return makeError(ErrorCode::InvalidOption, -1,
-                     "the range of heights is no range of finite numbers");
+Result<Section> extremeSection(const SurfaceMesh& mesh, const ExtremeSectionOptions& options,
+                               const ExecutionContext& context) {
+  const auto whole = heightRange(mesh, options.normal);
+  if (!whole) return whole.error();
+  const HeightRange range{std::max(options.low, whole.value().low),
+                          std::min(options.high, whole.value().high)};
+  if (!(options.low <= options.high)) {
+    return makeError(ErrorCode::InvalidOption, -1, "the range of heights is no range of numbers");
   }
-  const SectionCutter cutter(mesh, *unit);
-  const MeasuredPlanes planes(cutter, measure, context);
+  const auto missed = [&] {
+    Error error =
+        makeError(ErrorCode::InvalidOption, -1, "no plane of the range meets the surface");
+    error.hint = "along this direction the surface reaches from " +
+                 std::to_string(whole.value().low) + " to " + std::to_string(whole.value().high);
+    return error;
+  };
+  if (!(range.low <= range.high)) return missed();
+  const Vec3 unit = *unitVector(options.normal);
+  const SectionCutter cutter(mesh, unit);
   const std::vector<double> ends = pieceEnds(cutter, range);
-  const auto values = planes.at(ends);
+  const auto values = MeasuredPlanes(cutter, options.measure, ends).values(context);
   if (!values) return makeError(ErrorCode::Cancelled, -1, "the search was cancelled");
   const auto greatest = std::max_element(values->begin(), values->end());
-  if (!(*greatest > 0)) {
-    return makeError(ErrorCode::InvalidOption, -1, "no plane of the range meets the surface");
-  }
+  if (!(*greatest > 0)) return missed();
   std::optional<double> offset = ends[static_cast<std::size_t>(greatest - values->begin())];
-  if (extreme == SectionExtreme::Narrowest) {
-    offset = narrowestOffset(planes, ends, *values, measure == SectionMeasure::Tape);
+  if (options.extreme == SectionExtreme::Narrowest) {
+    offset = narrowestOffset(cutter, options.measure, ends, *values, context);
   }
   if (!offset) return makeError(ErrorCode::Cancelled, -1, "the search was cancelled");
-  return findSection(mesh, normal, *offset);
+  return onlySection(mesh, {options.normal, {*offset}, options.inscribed});
 }
 
 Result<double> heightOf(const SurfaceMesh& mesh, const Vec3& normal, const SurfacePoint& point) {

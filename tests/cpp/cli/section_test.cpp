@@ -39,7 +39,7 @@ TEST_F(Command, sectionsOfABox) {
   ASSERT_EQ(run({"section", model, "--every", "1.5", "-o", path("s.csv")}).exitCode, 0);
   const auto rows = linesOf(contentOf(path("s.csv")));
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[1].rfind("0,1.5,0,10,10,6,", 0), 0u) << rows[1];
+  EXPECT_EQ(rows[1].rfind("0,1.5,0,,10,10,6,", 0), 0u) << rows[1];
   ASSERT_EQ(run({"section", model, "--through", "2", "--along", "x", "-o", path("s.obj")}).exitCode,
             0);
   EXPECT_TRUE(contains(contentOf(path("s.obj")), "l 1 2 3 4 1\n"));
@@ -87,6 +87,36 @@ TEST_F(Command, theWidestAndTheNarrowestSectionAreFound) {
   EXPECT_TRUE(contains(run({"section", model, "--widest", "--within", "3"}).errors, "no range"));
   EXPECT_TRUE(contains(run({"section", model, "--widest", "--within", "20,30"}).errors,
                        "no plane of the range"));
+}
+
+TEST_F(Command, oneTapeGoesOverAllCurvesWhereAskedFor) {
+  const std::string model =
+      write("bodies.obj", boxWithChimney() +
+                              "v 8 0 0\nv 9 0 0\nv 8 1 0\nv 8 0 4\n"
+                              "f 17 19 18\nf 17 18 20\nf 18 19 20\nf 19 17 20\n");
+  const Outcome outcome = run({"section", model, "--at-height", "2", "--tape-over", "all"});
+  EXPECT_TRUE(contains(outcome.output, "curves")) << outcome.output;
+  ASSERT_EQ(run({"section", model, "--at-height", "2", "--tape-over", "all", "-o", path("s.csv")})
+                .exitCode,
+            0);
+  const auto rows = linesOf(contentOf(path("s.csv")));
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0], "number,normalX,normalY,normalZ,offset,perimeter,tape,area,unit");
+  EXPECT_TRUE(contains(run({"section", model, "--tape-over", "some"}).errors, "over each curve"));
+}
+
+TEST_F(Command, inscribedCirclesAndLimbsWhereAskedFor) {
+  const std::string model = write("box.obj", box());
+  const auto curveOf = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"section", model, "--json"});
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+    return Json::parse(outcome.output)["sections"].at(0)["curves"].at(0);
+  };
+  EXPECT_TRUE(curveOf({})["inscribedDiameter"].is_null());
+  EXPECT_EQ(curveOf({"--inscribed"})["inscribedDiameter"], 2);
+  EXPECT_TRUE(contains(run({"section", model, "--inscribed"}).output, "(circle 2)"));
+  EXPECT_TRUE(curveOf({"--limbs"}).contains("limb"));
 }
 
 TEST_F(Command, aSectionAcrossATube) {
@@ -156,8 +186,9 @@ TEST_F(Command, landmarksThatAreNoneAreNamed) {
     return outcome.errors;
   };
   EXPECT_TRUE(contains(refusal("{"), "no JSON array"));
-  EXPECT_TRUE(contains(refusal("[{\"point\":1}]"), "landmark 1 has no \"name\""));
-  EXPECT_TRUE(contains(refusal("[{\"name\":\"a\",\"point\":1,\"how\":\"width\"}]"), "\"how\""));
+  EXPECT_TRUE(contains(refusal("[{\"point\":1}]"), "landmark 0 has no \"name\""));
+  EXPECT_TRUE(contains(refusal("[{\"name\":\"a\",\"point\":1,\"how\":\"width\"}]"),
+                       "landmark 0 (a) has no \"how\""));
   EXPECT_TRUE(
       contains(refusal("[{\"name\":\"a\",\"point\":1,\"how\":\"distance\"}]"), "has no \"to\""));
   EXPECT_TRUE(contains(refusal("[{\"name\":\"neck\",\"point\":99,\"how\":\"tape\"}]"), "neck: "));

@@ -6,10 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "analysis/convex_hull.h"
+#include "analysis/inscribed_circle.h"
+#include "girth/landmarks.h"
 #include "lathe.h"
 #include "mesh/angles.h"
 #include "mesh/vector.h"
@@ -229,7 +233,7 @@ TEST(Section, AreasAddUpToTheVolume) {
       offsets.push_back((heights[i] + heights[i + 1]) / 2);
       offsets.push_back(heights[i + 1]);
     }
-    const std::vector<Section> all = findSections(mesh, normal, offsets).value().sections;
+    const std::vector<Section> all = findSections(mesh, {normal, offsets}).value().sections;
     double sum = 0;
     for (std::size_t i = 0; i < all.size(); i += 3) {
       sum +=
@@ -254,9 +258,9 @@ TEST(Section, RefusesPlanesThatAreNone) {
   EXPECT_EQ(heightRange(mesh, {0, 0, NAN}).error().code, ErrorCode::InvalidOption);
   const std::atomic<bool> cancel{true};
   EXPECT_EQ(
-      findSections(mesh, {0, 0, 1}, std::vector<double>(100, 0.1), {1, &cancel, {}}).error().code,
+      findSections(mesh, {{0, 0, 1}, std::vector<double>(100, 0.1)}, {1, &cancel, {}}).error().code,
       ErrorCode::Cancelled);
-  EXPECT_TRUE(findSections(mesh, {0, 0, 1}, {}).value().sections.empty());
+  EXPECT_TRUE(findSections(mesh, {{0, 0, 1}, {}}).value().sections.empty());
 }
 
 TEST(ConvexHull, WidthsAreThoseOfAllDirections) {
@@ -293,7 +297,7 @@ TEST(ConvexHull, WidthsAreThoseOfAllDirections) {
 TEST(Section, OfManyPlanesAreThoseOfEachWhateverTheirOrder) {
   const SurfaceMesh mesh = letterU().mesh();
   const std::vector<double> offsets{3.5, 0.5, 1, 0.5, 9, 0.25, 1, 2};
-  const auto all = findSections(mesh, {0, 1, 0}, offsets, {3, nullptr, {}}).value().sections;
+  const auto all = findSections(mesh, {{0, 1, 0}, offsets}, {3, nullptr, {}}).value().sections;
   ASSERT_EQ(all.size(), offsets.size());
   for (std::size_t k = 0; k < offsets.size(); ++k) {
     const Section one = cut(mesh, {0, 1, 0}, offsets[k]);
@@ -320,11 +324,11 @@ SurfaceMesh steps() {
 TEST(Section, WidestAndNarrowestOfStepsAreThoseOfTheirBoxes) {
   const SurfaceMesh mesh = steps();
   const auto extreme = [&](double low, double high, SectionExtreme which) {
-    return extremeSection(mesh, {0, 0, 3}, {low, high}, which).value();
+    return extremeSection(mesh, {{0, 0, 3}, which, low, high}).value();
   };
   for (const SectionMeasure measure : {SectionMeasure::Perimeter, SectionMeasure::Tape}) {
     const auto widest =
-        extremeSection(mesh, {0, 0, 1}, {0, 3}, SectionExtreme::Widest, measure).value();
+        extremeSection(mesh, {{0, 0, 1}, SectionExtreme::Widest, 0, 3, measure}).value();
     expectNear(widest.perimeter, 10);
     EXPECT_TRUE(widest.offset > 0 && widest.offset <= 1) << widest.offset;
   }
@@ -364,7 +368,7 @@ TEST(Section, TheTapeIsNarrowestBetweenVertices) {
   const SurfaceMesh mesh = crossedBars(kApart);
   const auto tapeAt = [&](double h) { return 4 + 2 * std::hypot(kApart, 2 * h); };
   const auto extreme = [&](double low, double high, SectionExtreme which) {
-    return extremeSection(mesh, {0, 0, 1}, {low, high}, which, SectionMeasure::Tape).value();
+    return extremeSection(mesh, {{0, 0, 1}, which, low, high, SectionMeasure::Tape}).value();
   };
   for (const double high : {0.5, 0.75, 1.0}) {
     const Section found = extreme(-0.875, high, SectionExtreme::Narrowest);
@@ -378,7 +382,7 @@ TEST(Section, TheTapeIsNarrowestBetweenVertices) {
 TEST(Section, ExtremesOfNoRangeAreRefused) {
   const SurfaceMesh mesh = steps();
   const auto code = [&](const Vec3& normal, double low, double high) {
-    const auto found = extremeSection(mesh, normal, {low, high}, SectionExtreme::Widest);
+    const auto found = extremeSection(mesh, {normal, SectionExtreme::Widest, low, high});
     EXPECT_FALSE(found);
     return found.error().code;
   };
@@ -386,6 +390,13 @@ TEST(Section, ExtremesOfNoRangeAreRefused) {
   EXPECT_EQ(code({0, 0, 1}, 2, 1), ErrorCode::InvalidOption);
   EXPECT_EQ(code({0, 0, 1}, std::nan(""), 1), ErrorCode::InvalidOption);
   EXPECT_EQ(code({0, 0, 1}, 7, 9), ErrorCode::InvalidOption);
+  const Error missed = extremeSection(mesh, {{0, 0, 1}, SectionExtreme::Narrowest, 7, 9}).error();
+  EXPECT_NE(missed.hint.find("from 0.000000 to 3.000000"), std::string::npos) << missed.hint;
+}
+
+TEST(Section, ExtremesOfNoTypedRangeAreThoseOfTheWholeSurface) {
+  expectNear(extremeSection(steps(), {{0, 0, 1}, SectionExtreme::Widest}).value().perimeter, 10);
+  expectNear(extremeSection(steps(), {{0, 0, 1}, SectionExtreme::Narrowest}).value().perimeter, 6);
 }
 
 TEST(Section, AcrossATubeIsWhatItsGirthLoopGoesRound) {
@@ -399,6 +410,141 @@ TEST(Section, AcrossATubeIsWhatItsGirthLoopGoesRound) {
   EXPECT_FALSE(heightOf(tube, {0, 0, 0}, middle));
   EXPECT_EQ(directionAlong(tube, SurfacePoint::atVertex(Vertex(100'000))).error().code,
             ErrorCode::VertexOutOfRange);
+}
+
+TEST(Section, ThroughPointsOfATubeStraightAndAcross) {
+  const SurfaceMesh tube = test::prism(test::regularPolygon(12, 0.5), 8, 16).mesh();
+  const std::vector<SurfacePoint> points{SurfacePoint::atVertex(Vertex(8 * 12 + 3)),
+                                         SurfacePoint::atVertex(Vertex(5 * 12 + 1))};
+  for (const bool across : {false, true}) {
+    const auto found = sectionsThrough(tube, {points, {0, 0, 2}, across}).value().sections;
+    ASSERT_EQ(found.size(), 2u);
+    for (const Section& section : found) expectNear(section.perimeter, 6);
+    expectNear(std::fabs(found[0].offset), 4);
+    expectNear(std::fabs(found[1].offset), 2.5);
+  }
+  const auto code = [&](const SurfacePoint& point, const Vec3& normal, bool across) {
+    return sectionsThrough(tube, {{point}, normal, across}).error().code;
+  };
+  for (const bool across : {false, true}) {
+    EXPECT_EQ(code(SurfacePoint::atVertex(Vertex(100'000)), {0, 0, 1}, across),
+              ErrorCode::VertexOutOfRange);
+    EXPECT_EQ(code(SurfacePoint::inFace(Face(0), {2, 0, 0}), {0, 0, 1}, across),
+              ErrorCode::InvalidPoint);
+  }
+  EXPECT_EQ(code(points[0], {0, 0, 0}, false), ErrorCode::InvalidOption);
+}
+
+TEST(Section, InscribedCirclesAreThoseOfTheirPolygons) {
+  const auto inscribed = [](const SurfaceMesh& mesh, const Vec3& normal, double offset) {
+    return findSections(mesh, {normal, {offset}, true}).value().sections.at(0);
+  };
+  const SurfaceMesh box = test::box(2, 3, 4, 2, 3, 4).mesh();
+  const SectionCurve flat = inscribed(box, {0, 0, 1}, 1).curves.at(0);
+  expectNear(flat.inscribedDiameter, 2);
+  EXPECT_NEAR(flat.inscribedCentre.x, 1, 1e-12);
+  EXPECT_TRUE(std::isnan(cut(box, {0, 0, 1}, 1).curves.at(0).inscribedDiameter));
+  // In a corner of the U: it touches two sides and the corner opposite.
+  const SectionCurve hollow = inscribed(letterU().mesh(), {0, 0, 1}, 1).curves.at(0);
+  expectNear(hollow.inscribedDiameter, 2 * (2 - std::sqrt(2.0)));
+  // Between the square and the hole in it.
+  const SurfaceMesh frame = test::blocks({0, 1, 3, 4}, {0, 1, 3, 4}, {0, 1}, [](int i, int j, int) {
+                              return i != 1 || j != 1;
+                            }).mesh();
+  for (const SectionCurve& curve : inscribed(frame, {0, 0, 1}, 0.5).curves) {
+    expectNear(curve.inscribedDiameter, curve.hole ? 2 : 2 * (2 - std::sqrt(2.0)));
+  }
+  const SurfaceMesh open = test::lathe({{0, 1}, {3, 1}}, 8, false).mesh(OpenEdges::Boundary);
+  EXPECT_EQ(inscribed(open, {1, 0, 0}, 0.1).curves.at(0).inscribedDiameter, 0);
+}
+
+TEST(InscribedCircle, IsTheLargestOfManyCentres) {
+  test::Random random(3);
+  for (int round = 0; round < 30; ++round) {
+    std::vector<Point2> star;
+    const Index corners = 5 + random.below(40);
+    for (Index i = 0; i < corners; ++i) {
+      const double radius = 0.3 + random(), angle = 2 * kPi * i / corners;
+      star.push_back({2 * radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    const auto clearance = [&](const Point2& p) {
+      double least = HUGE_VAL;
+      for (std::size_t i = 0; i < star.size(); ++i) {
+        const Point2 &a = star[i], &b = star[(i + 1) % star.size()];
+        least = std::min(least, squareFromSegment({p.x, p.y, 0}, {a.x, a.y, 0}, {b.x, b.y, 0}));
+      }
+      return std::sqrt(least);
+    };
+    const InscribedCircle circle = inscribedCircle({star});
+    EXPECT_NEAR(clearance(circle.centre), circle.radius, 1e-13) << round;
+    // No centre in the star-shaped region is farther from its sides.
+    for (int i = 0; i < 300; ++i) {
+      const std::size_t k = random.below(corners);
+      const Point2 &a = star[k], &b = star[(k + 1) % star.size()];
+      const double share = random(), out = random();
+      const Point2 p{out * (a.x + share * (b.x - a.x)), out * (a.y + share * (b.y - a.y))};
+      EXPECT_LE(clearance(p), circle.radius * (1 + 1e-12)) << round;
+    }
+  }
+}
+
+TEST(InscribedCircle, OfPolygonsThatEncloseNothingIsNone) {
+  EXPECT_EQ(inscribedCircle({}).radius, 0);
+  EXPECT_EQ(inscribedCircle({{}}).radius, 0);
+  EXPECT_EQ(inscribedCircle({{{1, 1}}}).radius, 0);
+  EXPECT_LT(inscribedCircle({{{0, 0}, {1, 1}, {2, 2}}}).radius, 1e-9);
+}
+
+TEST(Section, CurvesLieOnTheLimbThatHoldsMostOfThem) {
+  const SurfaceMesh mesh = letterU().mesh();
+  std::vector<Limb> limbs(2);
+  for (const Vertex v : mesh.vertices()) {
+    const Vec3& p = mesh.position(v);
+    if (p.y > 1) limbs[p.x < 1.5 ? 0 : 1].vertices.push_back(v);
+  }
+  Sections found = findSections(mesh, {{0, 1, 0}, {3.5, 0.25}}).value();
+  placeOnLimbs(mesh, limbs, found);
+  for (const SectionCurve& curve : found.sections[0].curves) {
+    EXPECT_EQ(curve.limb, curve.centre.x < 1.5 ? 0u : 1u);
+  }
+  EXPECT_EQ(found.sections[1].curves.at(0).limb, kNoIndex);
+  placeOnLimbs(mesh, {}, found);
+  EXPECT_EQ(found.sections[0].curves.at(0).limb, kNoIndex);
+}
+
+TEST(Landmarks, AreMeasuredByTheirKinds) {
+  const SurfaceMesh mesh = letterU().mesh();
+  const SurfacePoint arm = SurfacePoint::atVertex(Vertex([&] {
+    Index found = 0;
+    for (const Vertex v : mesh.vertices()) {
+      const Vec3& p = mesh.position(v);
+      if (p.x == 0 && p.y == 4 && p.z == 0) found = v;
+    }
+    return found;
+  }()));
+  const auto measured = [&](const Landmark& landmark) {
+    return measureLandmarks(mesh, {{landmark}, {0, 1, 0}}).value().measures.at(0);
+  };
+  expectNear(measured({"arm", arm, MeasureKind::Section}).length, 6);
+  const Landmark all{"both", arm, MeasureKind::Tape, arm, false, true};
+  expectNear(measured(all).length, 10);
+  EXPECT_TRUE(measured(all).points.empty());
+  expectNear(
+      measured({"way", arm, MeasureKind::Distance, SurfacePoint::atVertex(arm.vertex())}).length,
+      0);
+  EXPECT_EQ(measured({"arm", arm, MeasureKind::Girth}).name, "arm");
+  const auto refused = [&](const Landmark& landmark) {
+    return measureLandmarks(mesh, {{landmark}, {0, 1, 0}}).error();
+  };
+  // A distance without another end.
+  const Error none = refused({"neck", arm, MeasureKind::Distance});
+  EXPECT_EQ(none.code, ErrorCode::VertexOutOfRange);
+  EXPECT_EQ(none.message.rfind("neck: ", 0), 0u) << none.message;
+  EXPECT_EQ(measureLandmarks(mesh, {{{"arm", arm, MeasureKind::Tape}}, {0, 0, 0}}).error().code,
+            ErrorCode::InvalidOption);
+  EXPECT_TRUE(measureLandmarks(mesh, {}).value().measures.empty());
+  const std::atomic<bool> cancel{true};
+  EXPECT_EQ(measureLandmarks(mesh, {{all}}, {1, &cancel, {}}).error().code, ErrorCode::Cancelled);
 }
 
 TEST(Section, TheCurveThroughAPointIsThatOfItsBody) {

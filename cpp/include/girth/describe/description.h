@@ -38,9 +38,10 @@ struct VertexNumbers {
 /// worked out.
 template <class Get, class Which>
 struct Member {
-  const char* name;  ///< in all outputs; Python's is made of it
-  Get get;           ///< gives what visitors take, of a result
-  Which which;       ///< where a result that is read back has it
+  const char* name;      ///< in all outputs; Python's is made of it
+  Get get;               ///< gives what visitors take, of a result
+  Which which;           ///< where a result that is read back has it
+  bool isNeeded{false};  ///< options without it are refused
 };
 /// A member of its parts.
 template <class Get, class Which>
@@ -57,6 +58,12 @@ constexpr auto member(const char* name, Value Struct::*which) {
   } else {
     return Member{name, which, nullptr};
   }
+}
+
+/// A data member of options that must be given.
+template <class Struct, class Value>
+constexpr auto needed(const char* name, Value Struct::*which) {
+  return Member<Value Struct::*, Value Struct::*>{name, which, which, true};
 }
 
 /// Points as a Curve.

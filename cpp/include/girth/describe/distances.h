@@ -8,12 +8,12 @@ namespace girth {
 
 /// The members of two points.
 constexpr auto describe(Members<PointPair>) {
-  return described<PointPair>(member("start", &PointPair::start), member("end", &PointPair::end));
+  return described<PointPair>(needed("start", &PointPair::start), needed("end", &PointPair::end));
 }
 
 /// The members of options.
 constexpr auto describe(Members<DistancesOptions>) {
-  return described<DistancesOptions>(member("pairs", &DistancesOptions::pairs),
+  return described<DistancesOptions>(needed("pairs", &DistancesOptions::pairs),
                                      member("paths", &DistancesOptions::paths));
 }
 

@@ -6,6 +6,9 @@
 
 namespace girth {
 
+/// Whether the limb of a curve is known.
+inline bool isOnLimb(const SectionCurve& curve) { return curve.limb != kNoIndex; }
+
 /// The members of a curve.
 constexpr auto describe(Members<SectionCurve>) {
   return described<SectionCurve>(
@@ -14,9 +17,12 @@ constexpr auto describe(Members<SectionCurve>) {
       member("equivalentDiameter", &SectionCurve::equivalentDiameter),
       member("leastWidth", &SectionCurve::leastWidth),
       member("greatestWidth", &SectionCurve::greatestWidth),
-      member("centre", &SectionCurve::centre), member("closed", &SectionCurve::closed),
-      member("hole", &SectionCurve::hole), member("component", &SectionCurve::component),
-      curve("points", &SectionCurve::points));
+      member("centre", &SectionCurve::centre),
+      member("inscribedDiameter", &SectionCurve::inscribedDiameter),
+      member("inscribedCentre", &SectionCurve::inscribedCentre),
+      member("closed", &SectionCurve::closed), member("hole", &SectionCurve::hole),
+      member("component", &SectionCurve::component),
+      memberWhere("limb", &SectionCurve::limb, isOnLimb), curve("points", &SectionCurve::points));
 }
 
 /// The members of a section.
@@ -30,6 +36,31 @@ constexpr auto describe(Members<Section>) {
 /// The members of several sections.
 constexpr auto describe(Members<Sections>) {
   return described<Sections>(member("sections", &Sections::sections));
+}
+
+/// The members of the options of `findSections`.
+constexpr auto describe(Members<SectionsOptions>) {
+  return described<SectionsOptions>(needed("normal", &SectionsOptions::normal),
+                                    needed("offsets", &SectionsOptions::offsets),
+                                    member("inscribed", &SectionsOptions::inscribed));
+}
+
+/// The members of the options of `sectionsThrough`.
+constexpr auto describe(Members<SectionsThroughOptions>) {
+  return described<SectionsThroughOptions>(needed("points", &SectionsThroughOptions::points),
+                                           member("normal", &SectionsThroughOptions::normal),
+                                           member("across", &SectionsThroughOptions::across),
+                                           member("inscribed", &SectionsThroughOptions::inscribed));
+}
+
+/// The members of the options of `extremeSection`.
+constexpr auto describe(Members<ExtremeSectionOptions>) {
+  return described<ExtremeSectionOptions>(needed("normal", &ExtremeSectionOptions::normal),
+                                          needed("extreme", &ExtremeSectionOptions::extreme),
+                                          member("low", &ExtremeSectionOptions::low),
+                                          member("high", &ExtremeSectionOptions::high),
+                                          member("measure", &ExtremeSectionOptions::measure),
+                                          member("inscribed", &ExtremeSectionOptions::inscribed));
 }
 
 }  // namespace girth

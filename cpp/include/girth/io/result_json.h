@@ -45,7 +45,13 @@ class GIRTH_EXPORT ResultJson : public JsonObject {
   /// Adds one member.
   template <class Value>
   ResultJson& addValue(std::string_view name, const Value& value) {
-    if constexpr (std::is_arithmetic_v<Value>) {
+    if constexpr (std::is_pointer_v<Value>) {
+      if (value == nullptr) {
+        addJson(name, "null");
+      } else {
+        addValue(name, *value);
+      }
+    } else if constexpr (std::is_arithmetic_v<Value>) {
       add(name, value);
     } else if constexpr (std::is_convertible_v<Value, std::string_view>) {
       add(name, std::string_view(value));
@@ -69,10 +75,6 @@ class GIRTH_EXPORT ResultJson : public JsonObject {
   std::string textOf(const std::vector<Face>& faces) const;
   std::string textOf(const VertexNumbers& numbers) const;
   std::string textOf(const Numbers& numbers) const;
-  template <class Value>
-  std::string textOf(const Value* value) const {
-    return value == nullptr ? "null" : textOf(*value);
-  }
   template <Described Struct>
   std::string textOf(const Struct& result) const {
     return ResultJson(loaded_).addMembers(result).text();

@@ -15,9 +15,9 @@ namespace girth::io {
 GIRTH_EXPORT std::string sectionsJson(const LoadedMesh& loaded, const Sections& sections,
                                       std::string_view file);
 
-/// `section,offset,curve,perimeter,tape,area,equivalentDiameter,leastWidth,greatestWidth,x,y,z,
-/// closed,hole,component,unit` and a row for each curve; sections and curves are numbered from 0,
-/// x, y, z is the centre.
+/// `section,offset,curve,limb,perimeter,tape,area,equivalentDiameter,leastWidth,greatestWidth,x,y,z,
+/// inscribedDiameter,inscribedCentreX,inscribedCentreY,inscribedCentreZ,closed,hole,component,unit`
+/// and a row for each curve; sections, curves and limbs are numbered from 0, x, y, z is the centre.
 GIRTH_EXPORT std::string sectionsCsv(const LoadedMesh& loaded, const Sections& sections);
 
 /// Each curve as an object `section_0_curve_0`, ... with a line element.

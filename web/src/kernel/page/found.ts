@@ -19,7 +19,6 @@ const kinds: readonly Kind[] = [
   { name: 'limbs', member: 'tipsWithoutLimb' },
   { name: 'necks', member: 'necks' },
   { name: 'handles', member: 'handles' },
-  { name: 'sections', member: 'sections' },
   { name: 'bottleneck', member: 'way' },
   { name: 'profile', member: 'stations' },
   { name: 'axis', member: 'loops' },

@@ -82,7 +82,6 @@ import type {
   RepairedMesh,
   SaddleBar,
   SegmentOptions,
-  Sections,
   Segments,
   SpectralFieldName,
   SpectralOptions,
@@ -258,16 +257,6 @@ export class MeshOfWorkers extends MeshWithAnalyses implements Mesh {
 
   async necks(igf: Field, { minProminence = 0, ...options }: NeckOptions = {}): Promise<Necks> {
     return this.#ask('necks', { girth: this.#own(igf, 'igf'), minProminence }, options);
-  }
-
-  async sections(
-    normal: readonly [number, number, number],
-    offsets: readonly number[] | Float64Array,
-    options: WatchedOptions = {},
-  ): Promise<Sections> {
-    const along = Float64Array.from(normal);
-    if (along.length !== 3) throw failure('USAGE', 'the normal has three numbers');
-    return this.#ask('sections', { normal: along, offsets: Float64Array.from(offsets) }, options);
   }
 
   protected async analyse<Found extends object>(

@@ -2,7 +2,23 @@
 
 import type { WatchedOptions } from './call-options.js';
 import type { SurfacePoint } from './points.js';
-import type { Distances } from './results.js';
+import type { Distances, Sections, Section, NamedMeasures, MeasureKind } from './results.js';
+
+/**
+ * Where a surface has the most or the least of a measure.
+ *
+ * - `'widest'`: most
+ * - `'narrowest'`: least, of planes that meet the surface
+ */
+export type SectionExtreme = 'widest' | 'narrowest';
+
+/**
+ * A measure of a section.
+ *
+ * - `'perimeter'`: the sum of the curves' lengths
+ * - `'tape'`: one tape round all curves
+ */
+export type SectionMeasure = 'perimeter' | 'tape';
 
 /** Two points of a surface. */
 export interface PointPair {
@@ -20,6 +36,77 @@ export interface DistancesOptions extends WatchedOptions {
   paths?: boolean;
 }
 
+/** A point, and what is measured there. */
+export interface Landmark {
+  /** The name of the measure. */
+  name: string;
+  /** Where it is measured, or begins. */
+  point: SurfacePoint;
+  /** How it is measured. */
+  how: MeasureKind;
+  /** The other end of a distance. */
+  to?: SurfacePoint;
+  /**
+   * Whether the plane of a section or tape is perpendicular to the limb or tube at the point. Default:
+   * false.
+   */
+  across?: boolean;
+  /**
+   * Whether a section or tape takes all curves of its plane, not the one through the point. Default:
+   * false.
+   */
+  all?: boolean;
+}
+
+/** Which measures are wanted. */
+export interface LandmarksOptions extends WatchedOptions {
+  /** The landmarks: one for each measure. */
+  landmarks: readonly Landmark[];
+  /** The normal of planes that are not across limbs, of any length but 0. Default: [0, 0, 1]. */
+  normal?: readonly [number, number, number];
+}
+
+/** Which planes cut a surface. */
+export interface SectionsOptions extends WatchedOptions {
+  /** The planes' normal, of any length but 0. */
+  normal: readonly [number, number, number];
+  /** Where each plane lies: normal · x in model units, where the normal has length 1. */
+  offsets: readonly number[] | Float64Array;
+  /** Whether each curve has its largest inscribed circle, which takes longer. Default: false. */
+  inscribed?: boolean;
+}
+
+/** Which planes pass points of a surface. */
+export interface SectionsThroughOptions extends WatchedOptions {
+  /** The points: one for each plane. */
+  points: readonly SurfacePoint[];
+  /** The planes' normal, of any length but 0. Default: [0, 0, 1]. */
+  normal?: readonly [number, number, number];
+  /**
+   * Whether each plane is perpendicular to the limb or tube at its point, instead of the normal.
+   * Default: false.
+   */
+  across?: boolean;
+  /** Whether each curve has its largest inscribed circle, which takes longer. Default: false. */
+  inscribed?: boolean;
+}
+
+/** Which section is the widest or the narrowest. */
+export interface ExtremeSectionOptions extends WatchedOptions {
+  /** The planes' normal, of any length but 0. */
+  normal: readonly [number, number, number];
+  /** Which of the two is looked for. */
+  extreme: SectionExtreme;
+  /** The least offset of a plane, in model units. Default: -Infinity. */
+  low?: number;
+  /** The greatest one, in model units. Default: Infinity. */
+  high?: number;
+  /** The measure that is compared. Default: 'perimeter'. */
+  measure?: SectionMeasure;
+  /** Whether each curve has its largest inscribed circle, which takes longer. Default: false. */
+  inscribed?: boolean;
+}
+
 /** Calls of a mesh, one for each analysis. */
 export interface Analyses {
   /**
@@ -30,10 +117,61 @@ export interface Analyses {
    * @experimental
    */
   distances(options: DistancesOptions): Promise<Distances>;
+  /**
+   * Cuts a surface with planes of one normal, at several offsets, and measures the curves. *Planes
+   * through vertices.* A vertex that lies in the plane (nearer to it than 1e-12 of the greatest
+   * coordinate) counts as lying above it, on the side of the normal. So every curve runs through edges
+   * that lead from below to above, curves never end inside the surface, and where the plane touches it
+   * from above there is none. A face in the plane is part of the section by its outline, where the
+   * surface goes on below it. *Holes* are found by the surface's orientation: a closed curve is a hole
+   * where the enclosed side lies round it and another curve of the section lies round that. Curves of
+   * bodies that overlap are measured one by one. On polyhedra the measures are exact to rounding.
+   * Inscribed circles are the largest to 1e-12 of their diameter, proven by branch and bound; where that
+   * takes more than 100,000 squares, as of curves 10,000 times as long as wide, the largest found. Time:
+   * O(n log m + c log c) for n faces, m planes and c crossed edges, without the circles, on all threads;
+   * the same result for any number of them. Errors: INVALID_OPTION (a normal without length, an offset
+   * that is not finite), CANCELLED.
+   *
+   * @experimental
+   */
+  sections(options: SectionsOptions): Promise<Sections>;
+  /**
+   * Cuts a surface with a plane through each of some points. Errors: those of `findSections` and, across
+   * limbs, of `directionAlong`; VERTEX_OUT_OF_RANGE, INVALID_POINT.
+   *
+   * @experimental
+   */
+  sectionsThrough(options: SectionsThroughOptions): Promise<Sections>;
+  /**
+   * Finds the section in which a measure is greatest or least, of all planes of one normal in a range of
+   * offsets. Between the heights of two vertices the perimeter is linear in the offset, and the tape
+   * convex: the greatest, and the least perimeter, are at such a height, just above one (by 2e-12 of the
+   * greatest coordinate), or at an end of the range; the least tape is found between them, by parabolas
+   * and golden sections (Brent 1973). Of equal ones the lowest. Time: O(c log c) for the edges that
+   * planes at all heights of vertices cross, on all threads; the same result for any number of them.
+   * Errors: INVALID_OPTION (a normal without length, no range, or no plane of it that meets the
+   * surface), CANCELLED.
+   *
+   * @experimental
+   */
+  extremeSection(options: ExtremeSectionOptions): Promise<Section>;
+  /**
+   * Measures at landmarks of a surface. Errors: those of the measures, with the name of the landmark
+   * before the message; INVALID_OPTION (a normal without length), CANCELLED.
+   *
+   * @experimental
+   */
+  measureLandmarks(options: LandmarksOptions): Promise<NamedMeasures>;
 }
 
 /** The results of analyses. */
-export type FoundByAnalysis = Distances;
+export type FoundByAnalysis = Distances | Sections | Section | NamedMeasures;
 
 /** The analyses: the list that only their results have, by their names. */
-export const analysisLists: Readonly<Record<keyof Analyses, string>> = { distances: 'distances' };
+export const analysisLists: Readonly<Record<keyof Analyses, string>> = {
+  distances: 'distances',
+  sections: 'sections',
+  sectionsThrough: 'sections',
+  extremeSection: 'curves',
+  measureLandmarks: 'measures',
+};

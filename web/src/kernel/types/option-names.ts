@@ -60,7 +60,6 @@ export const callOptionNames: Readonly<
     tips: { '1': ['signal'] },
     limbs: { '1': ['stations', 'onProgress', 'signal'] },
     necks: { '1': ['minProminence', 'onProgress', 'signal'] },
-    sections: { '2': ['onProgress', 'signal'] },
     bottleneck: { '3': ['onProgress', 'signal'] },
     profile: { '1': ['samples', 'crossings', 'onProgress', 'signal'] },
     axis: { '1': ['onProgress', 'signal'] },
@@ -98,6 +97,12 @@ export const callOptionNames: Readonly<
     smooth: { '1': ['onProgress', 'signal'] },
     difference: { '3': ['signal'] },
     distances: { '0': ['pairs', 'paths', 'onProgress', 'signal'] },
+    sections: { '0': ['normal', 'offsets', 'inscribed', 'onProgress', 'signal'] },
+    sectionsThrough: { '0': ['points', 'normal', 'across', 'inscribed', 'onProgress', 'signal'] },
+    extremeSection: {
+      '0': ['normal', 'extreme', 'low', 'high', 'measure', 'inscribed', 'onProgress', 'signal'],
+    },
+    measureLandmarks: { '0': ['landmarks', 'normal', 'onProgress', 'signal'] },
   },
   RemeshedMesh: { carryBack: { '1': ['signal'] }, carryField: { '1': ['signal'] } },
 };

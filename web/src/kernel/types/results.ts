@@ -21,6 +21,16 @@ export type BottleneckKind = 'neck' | 'pass' | 'end';
 export type HandleKind = 'handle' | 'tunnel' | 'unknown';
 
 /**
+ * How a landmark is measured.
+ *
+ * - `'girth'`: the length of the girth loop
+ * - `'section'`: the perimeter of the curve of a plane through the point
+ * - `'tape'`: the tape of that curve
+ * - `'distance'`: the distance to another point, along the surface
+ */
+export type MeasureKind = 'girth' | 'section' | 'tape' | 'distance';
+
+/**
  * Why a limb ends where it does (web/docs/definitions.md, section 5).
  *
  * - `'spreads'`: It spreads into a thicker part: beyond, the ring grows by more than π times the distance.
@@ -207,6 +217,36 @@ export interface Handles {
   unresolved: number;
   /** The shortest first. */
   handles: Handle[];
+}
+
+/**
+ * A measure at a landmark.
+ *
+ * @experimental
+ */
+export interface NamedMeasure {
+  /** The name of the landmark. */
+  name: string;
+  /** How it was measured. */
+  how: MeasureKind;
+  /** The point of the landmark. */
+  point: SurfacePoint;
+  /** The measure, in model units; infinite for a distance that has no path. */
+  length: number;
+  /** The curve that was measured; of all curves of a plane none. */
+  points: SurfacePoint[];
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
+}
+
+/**
+ * Measures at landmarks.
+ *
+ * @experimental
+ */
+export interface NamedMeasures {
+  /** In the order of the landmarks. */
+  measures: NamedMeasure[];
 }
 
 /**
@@ -639,12 +679,27 @@ export interface SectionCurve {
   greatestWidth: number;
   /** The centroid of its area; of an open curve, of its length. */
   centre: [number, number, number];
+  /**
+   * The diameter of the largest circle in the plane that it encloses and none of its holes meets, in
+   * model units; 0 where it is open. NaN where circles were not asked for.
+   */
+  inscribedDiameter: number;
+  /**
+   * The centre of that circle, of several equal ones of any; `centre` where there is none. NaN where
+   * circles were not asked for.
+   */
+  inscribedCentre: [number, number, number];
   /** False where it ends at the surface's boundary. */
   closed: boolean;
   /** Whether it bounds a hole in another curve: what the surface encloses lies round it. */
   hole: boolean;
   /** The component of the surface that it lies on. */
   component: number;
+  /**
+   * The number of the limb that it lies on, where limbs were asked for: more than half of its length
+   * does.
+   */
+  limb?: number;
   /**
    * The edges that it crosses and the vertices that it passes, in order; straight between neighbours.
    * Seen from the tip of the plane's normal, what the surface encloses lies on the left. The last point

@@ -790,17 +790,6 @@ export interface Mesh extends Analyses {
    */
   necks(igf: Field, options?: NeckOptions): Promise<Necks>;
   /**
-   * Cuts the surface with planes of one normal, at some offsets along it in model units, and measures the curves
-   * (`findSections`). Errors: INVALID_OPTION where the normal has no length, or an offset is not finite.
-   *
-   * @experimental
-   */
-  sections(
-    normal: readonly [number, number, number],
-    offsets: readonly number[] | Float64Array,
-    options?: WatchedOptions,
-  ): Promise<Sections>;
-  /**
    * Finds the narrowest place on the widest way from one point to another (`findBottleneck`). `igf` is the field of
    * that name, without persistence. Errors: VERTEX_OUT_OF_RANGE; INVALID_POINT, also where no way leads from one to the
    * other.

@@ -18,7 +18,6 @@ import type {
   PartThresholds,
   PrintCheck,
   Profile,
-  Sections,
 } from '../types.js';
 import { takes } from './table.js';
 
@@ -48,7 +47,6 @@ export const analysing = {
   tips: takes('surface', 'girth').gives<FoundTips>(),
   limbs: takes('surface', 'girth', 'stations', 'onProgress').gives<Limbs>(),
   necks: takes('surface', 'girth', 'minProminence', 'onProgress').gives<Necks>(),
-  sections: takes('surface', 'normal', 'offsets', 'onProgress').gives<Sections>(),
   bottleneck: takes('surface', 'girth', 'from', 'to', 'onProgress').gives<Bottleneck>(),
   profile: takes('surface', 'points', 'samples', 'crossings', 'onProgress').gives<
     Omit<Profile, 'unit'>
