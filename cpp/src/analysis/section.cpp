@@ -103,6 +103,22 @@ class SectionCutter {
   /// A vertex nearer to a plane than this lies in it.
   double slack() const { return slack_; }
 
+  /// The vertices at whose heights the measures may jump: no neighbour lies above, or none below,
+  /// or one as high.
+  std::vector<bool> mayJump() const {
+    constexpr unsigned kBelow = 1, kAbove = 2, kLevel = 4;
+    std::vector<unsigned> seen(heights_.size(), 0);
+    for (const Halfedge h : mesh_.halfedges()) {
+      const double rise = heights_[mesh_.to(h)] - heights_[mesh_.from(h)];
+      const bool isLevel = std::fabs(rise) <= 2 * slack_;
+      seen[mesh_.from(h)] |= isLevel ? kLevel : rise > 0 ? kAbove : kBelow;
+      seen[mesh_.to(h)] |= isLevel ? kLevel : rise > 0 ? kBelow : kAbove;
+    }
+    std::vector<bool> jumps;
+    for (const unsigned one : seen) jumps.push_back(one != (kBelow | kAbove));
+    return jumps;
+  }
+
   /// The faces that each of some planes crosses, in the order of the faces. `offsets`: rising.
   CrossedFaces crossedBy(std::span<const double> offsets) const {
     std::vector<double> levels;
@@ -152,12 +168,15 @@ class SectionCutter {
     double perimeter = 0;
     std::vector<Point2> corners;
     for (const Face f : crossed) {
-      const Vec3 from = positionOf(mesh_, pointOn(walk.sideOf(f, false), offset)),
-                 to = positionOf(mesh_, pointOn(walk.sideOf(f, true), offset));
-      perimeter += norm(to - from);
+      const Vec3 from = positionOf(mesh_, pointOn(walk.sideOf(f, false), offset));
+      const Halfedge out = walk.sideOf(f, true);
+      // Beyond an inner edge, the next face begins where this one ends.
+      const bool isLast = mesh_.twin(out) == Halfedge::none;
       if (measure == SectionMeasure::Tape) {
         corners.push_back(frame_.flat(from));
-        corners.push_back(frame_.flat(to));
+        if (isLast) corners.push_back(frame_.flat(positionOf(mesh_, pointOn(out, offset))));
+      } else {
+        perimeter += norm(positionOf(mesh_, pointOn(out, offset)) - from);
       }
     }
     return measure == SectionMeasure::Tape ? perimeterOf(convexHull(std::move(corners)))
@@ -537,20 +556,24 @@ class MeasuredPlanes {
   CrossedFaces crossed_;
 };
 
-/// The offsets where pieces of the measure begin and end: just above each height of a vertex, where
-/// it is the limit from above, and at it, where it is that from below.
+/// The offsets where pieces of the measure begin and end: at each height of a vertex and, where the
+/// measure may jump there, just above it, where it is the limit from above.
 std::vector<double> pieceEnds(const SectionCutter& cutter, const HeightRange& range) {
   const double above = 2 * cutter.slack();
-  std::vector<double> heights{range.low, range.high};
-  for (const double height : cutter.heights()) {
-    if (height > range.low && height < range.high) heights.push_back(height);
+  const std::vector<bool> jumps = cutter.mayJump();
+  std::vector<std::pair<double, bool>> heights{{range.low, true}, {range.high, true}};
+  for (std::size_t v = 0; v < jumps.size(); ++v) {
+    const double height = cutter.heights()[v];
+    if (height > range.low && height < range.high) heights.emplace_back(height, jumps[v]);
   }
   std::sort(heights.begin(), heights.end());
   std::vector<double> ends;
-  for (const double height : heights) {
-    for (const double offset : {height, height + above}) {
-      if (offset <= range.high && (ends.empty() || offset > ends.back())) ends.push_back(offset);
-    }
+  const auto add = [&](double offset) {
+    if (offset <= range.high && (ends.empty() || offset > ends.back())) ends.push_back(offset);
+  };
+  for (const auto& [height, jump] : heights) {
+    add(height);
+    if (jump) add(height + above);
   }
   return ends;
 }
@@ -589,7 +612,8 @@ std::optional<double> narrowestOffset(const SectionCutter& cutter, SectionMeasur
     const std::size_t end = pieces[k];
     const double bound = 2 * middle - std::max(values[end - 1], values[end]);
     if (bound >= best) continue;
-    const double low = ends[end - 1], high = ends[end];
+    // Nearer to the height of its lowest vertex, other faces are crossed.
+    const double low = ends[end - 1] + 2 * cutter.slack(), high = ends[end];
     const double exact = kInPlane * std::max(std::fabs(low), std::fabs(high));
     const LeastValue least =
         leastBetween([&](double height) { return middles.measured(k, height); }, low, high,
