@@ -40,6 +40,11 @@ import { type Opened, Session, isSameModel } from './model/session.js';
 import { elementLine, frameLine } from './export/share-lines.js';
 import { type Shared, offerSharing } from './export/share-sheet.js';
 import { closeLeftSheets } from './widgets/sheets.js';
+import { Draft } from './widgets/draft.js';
+import { LengthInput } from './widgets/length-input.js';
+import { TableActions } from './widgets/table-actions.js';
+import { columnOf } from './widgets/table-text.js';
+import { stemOf } from './export/save-file.js';
 import type { ModelScale } from './model/size-choice.js';
 import { offerTheme } from './theme.js';
 import { TipsPanel } from './panels/tips/tips-panel.js';
@@ -61,6 +66,13 @@ const field = new FieldPanel(viewer, computed, store, {
   tipRises: () => tips.rises,
 });
 const loops = new PinnedList(viewer, store);
+const sections = new Panel('sections-panel');
+const showSections = once(async () => {
+  const { SectionsPanel } = await import('./panels/sections/sections-panel.js');
+  const kit = { Draft, LengthInput, TableActions, columnOf, failureWords, stemOf };
+  return new SectionsPanel(viewer, store, sections, kit);
+});
+sections.onToggle(() => void showSections());
 const tips = new TipsPanel(viewer, store, {
   found: () => field.refresh(),
   colour: (bySdf) => field.colourForPanel('sdf', bySdf),
@@ -107,6 +119,7 @@ const compare = once(async () => {
 comparePanel.onToggle((isOpen) => isOpen && void compare());
 const panels: Record<PanelName, Panel> = {
   loops: loops.panel,
+  sections,
   tips: tips.panel,
   limbs: limbs.panel,
   necks: necks.panel,

@@ -124,29 +124,6 @@ function listOf(found) {
   return lists[0]?.[0];
 }
 
-/** The methods of a mesh of workers. */
-export function typeScriptMethods() {
-  const methods = analyses().map(
-    ({ name, options, found }) =>
-      `${name}(options: ${options}): Promise<${publicName(found)}> {\nreturn this.analyse('${name}', options);\n}\n`,
-  );
-  const names = analyses().map(({ options }) => options);
-  const found = namesFound();
-  return `${made}
-import type { Analyses, ${names.join(', ')} } from '../types/analyses.js';
-import type { ${found.join(', ')}, WatchedOptions } from '../types/types.js';
-
-/** A mesh that hands analyses on. */
-export abstract class MeshWithAnalyses implements Analyses {
-  protected abstract analyse<Found extends object>(
-    name: keyof Analyses,
-    options: WatchedOptions,
-  ): Promise<Found>;
-
-${methods.join('\n')}}
-`;
-}
-
 /**
  * The value that the core takes of an argument in Python.
  * @param {string} type

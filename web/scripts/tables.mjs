@@ -8,7 +8,7 @@ import { format } from 'oxfmt';
 import { attributes } from './element-manifest.mjs';
 import { entriesOf, headers, read, structOf } from './headers.mjs';
 import { optionNamesText } from './option-names.mjs';
-import { pythonMethods, typeScriptCalls, typeScriptMethods } from './analyses.mjs';
+import { pythonMethods, typeScriptCalls } from './analyses.mjs';
 import { pythonFields } from './python-fields.mjs';
 import { documentTables, pythonText, resultsText } from './results.mjs';
 import { repository } from './run.mjs';
@@ -310,7 +310,6 @@ export async function tables() {
   const texts = {
     ...types,
     'web/src/kernel/types/option-names.ts': optionNamesText(types),
-    'web/src/kernel/page/analyses.ts': typeScriptMethods(),
     'web/docs/outputs.md': documentText('web/docs/outputs.md'),
     'web/docs/embedding.md': documentText('web/docs/embedding.md'),
     'web/src/element/attributes/attribute-types.ts': attributeTypes(),

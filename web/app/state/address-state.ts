@@ -17,7 +17,16 @@ import {
 } from '../../src/element/index.js';
 import type { PrepareOptions, SurfacePoint } from '../../src/kernel/index.js';
 
-export const panelNames = ['loops', 'tips', 'limbs', 'necks', 'parts', 'print', 'compare'] as const;
+export const panelNames = [
+  'loops',
+  'sections',
+  'tips',
+  'limbs',
+  'necks',
+  'parts',
+  'print',
+  'compare',
+] as const;
 export type PanelName = (typeof panelNames)[number];
 
 export interface PageState {

@@ -1,7 +1,6 @@
 // A mesh on the page: it checks what is asked of it, and passes it to the workers.
 
-import type { Analyses } from '../types/analyses.js';
-import { MeshWithAnalyses } from './analyses.js';
+import { type Analyses, analysisLists } from '../types/analyses.js';
 import { defaults } from '../types/defaults.js';
 import { disposal } from '../types/disposal.js';
 import { failure } from '../types/errors.js';
@@ -122,6 +121,9 @@ const divided = ({
   smoothing = 0,
 }: SegmentOptions): SegmentRequest => ({ girth, shapeDiameter, minProminence, smoothing });
 
+/** Has a call for each analysis: they are all alike, and made below. */
+const MeshWithAnalyses = class {} as new () => Analyses;
+
 export class MeshOfWorkers extends MeshWithAnalyses implements Mesh {
   readonly info: Mesh['info'];
   readonly geometry: Mesh['geometry'];
@@ -138,6 +140,14 @@ export class MeshOfWorkers extends MeshWithAnalyses implements Mesh {
   readonly #life = new AbortController();
 
   static {
+    for (const analysis of Object.keys(analysisLists) as (keyof Analyses)[]) {
+      this.prototype[analysis] = async function (
+        this: MeshOfWorkers,
+        { signal, onProgress, ...wanted }: WatchedOptions,
+      ): Promise<never> {
+        return (await this.#ask('analyse', { analysis, wanted }, { signal, onProgress })) as never;
+      };
+    }
     checkCalls(this.prototype, callOptionNames.Mesh);
   }
 
@@ -257,14 +267,6 @@ export class MeshOfWorkers extends MeshWithAnalyses implements Mesh {
 
   async necks(igf: Field, { minProminence = 0, ...options }: NeckOptions = {}): Promise<Necks> {
     return this.#ask('necks', { girth: this.#own(igf, 'igf'), minProminence }, options);
-  }
-
-  protected async analyse<Found extends object>(
-    analysis: keyof Analyses,
-    { signal, onProgress, ...wanted }: WatchedOptions,
-  ): Promise<Found> {
-    const found = await this.#ask('analyse', { analysis, wanted }, { signal, onProgress });
-    return found as Found;
   }
 
   async bottleneck(
