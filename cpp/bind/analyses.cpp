@@ -20,7 +20,7 @@ val resultOf(const JobSurface& surface, const val& request, const val& onProgres
              Result<Found> (*analysis)(const SurfaceMesh&, const Options&,
                                        const ExecutionContext&)) {
   Options options;
-  ResultAgain again(surface.mesh());
+  ResultAgain again = ResultAgain::ofOptions(surface.mesh());
   again.read(request, options);
   if (!again.problem().empty()) return toJs(makeError(ErrorCode::Usage, -1, again.problem()));
   return objectOf(surface.drawn(), analysis(surface.mesh(), options, reportingTo(onProgress)));

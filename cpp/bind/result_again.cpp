@@ -1,5 +1,6 @@
 #include "result_again.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -92,6 +93,17 @@ int ResultAgain::codeOf(const val& word, std::string_view (*wordOf)(int)) {
   }
   refuse("'" + text + "' is no " + member_);
   return 0;
+}
+
+void ResultAgain::refuseOthers(const val& object, std::initializer_list<std::string_view> names) {
+  const val keys = val::global("Object").call<val>("keys", object);
+  for (std::size_t i = 0; i < lengthOf(keys); ++i) {
+    const auto key = entryOf(keys, i).as<std::string>();
+    if (std::find(names.begin(), names.end(), key) != names.end()) continue;
+    std::string all;
+    for (const std::string_view name : names) all.append(all.empty() ? "" : ", ").append(name);
+    refuse("there is no option " + key + "; there are " + all);
+  }
 }
 
 void ResultAgain::refuse(std::string problem) {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -25,9 +26,17 @@ class ResultAgain {
   explicit ResultAgain(const SurfaceMesh& mesh, std::vector<SurfacePoint> linePoints = {})
       : mesh_(mesh), linePoints_(std::move(linePoints)) {}
 
+  /// Options that people write: a name that is none of their members is a problem.
+  static ResultAgain ofOptions(const SurfaceMesh& mesh) {
+    ResultAgain again(mesh);
+    again.isOfOptions_ = true;
+    return again;
+  }
+
   /// Whether all vertices, faces and points so far are there on the mesh.
   bool isOfMesh() const { return isOfMesh_; }
-  /// The first member that lacks, or is no value of its kind, in words; empty: there is none.
+  /// The first member that lacks, is none, or has no value of its kind, in words; empty: all is
+  /// well.
   const std::string& problem() const { return problem_; }
 
   void read(const emscripten::val& from, double& number);
@@ -54,11 +63,21 @@ class ResultAgain {
   }
   template <Described Struct>
   void read(const emscripten::val& from, Struct& result) {
-    std::apply([&](const auto&... one) { (readMember(from, result, one), ...); },
-               describe(Members<Struct>()));
+    std::apply(
+        [&](const auto&... one) {
+          (readMember(from, result, one), ...);
+          if (isOfOptions_) refuseOthers(from, {nameOf(one)...});
+        },
+        describe(Members<Struct>()));
   }
 
  private:
+  static const char* nameOf(const Unwritten&) { return ""; }
+  template <class Get, class Which>
+  static const char* nameOf(const Member<Get, Which>& member) {
+    return member.name;
+  }
+
   template <class Struct>
   void readMember(const emscripten::val&, Struct&, const Unwritten&) {}
 
@@ -87,6 +106,8 @@ class ResultAgain {
   static bool isThere(const emscripten::val& value);
   /// The enumerator of a word; 0 and a problem for none.
   int codeOf(const emscripten::val& word, std::string_view (*wordOf)(int));
+  /// A problem where an object has other members than these.
+  void refuseOthers(const emscripten::val& object, std::initializer_list<std::string_view> names);
   /// Notes a problem, if it is the first.
   void refuse(std::string problem);
 
@@ -98,6 +119,7 @@ class ResultAgain {
   std::vector<SurfacePoint> linePoints_;
   std::size_t lineStart_{0};
   bool isOfMesh_{true};
+  bool isOfOptions_{false};
   const char* member_{""};  ///< that is being read
   std::string problem_;
 };

@@ -450,6 +450,7 @@ test('sections of a prism: planes at heights, through points, the widest; and me
     const csv = new TextDecoder().decode(await mesh.write({ measures }, 'csv'));
     const refusals = [
       mesh.sections({ normal } as never),
+      mesh.sections({ normal, offsets: [1], inscribe: true } as never),
       mesh.sections({ normal: [0, 0, 0], offsets: [1] }),
       mesh.sections({ normal: [0, 1] as never, offsets: [1] }),
       mesh.extremeSection({ normal, extreme: 'tallest' as never }),
@@ -457,6 +458,9 @@ test('sections of a prism: planes at heights, through points, the widest; and me
       mesh.sectionsThrough({ points: [1.5] }),
       mesh.sectionsThrough({ points: [{ face: 0 } as never] }),
       mesh.measureLandmarks({ landmarks: [{ name: 'neck', how: 'tape' } as never] }),
+      mesh.measureLandmarks({
+        landmarks: [{ name: 'neck', how: 'tape', point: 0, acros: true } as never],
+      }),
       mesh.measureLandmarks({ landmarks: [{ name: 'neck', how: 'distance', point: 0 }] }),
     ].map(async (call) => (await girth.refusal(call)).code);
     const codes = await Promise.all(refusals);
@@ -478,7 +482,18 @@ test('sections of a prism: planes at heights, through points, the widest; and me
   expect(found.csv.split('\n')[0]).toBe('number,name,how,x,y,z,length,unit');
   const option = 'INVALID_OPTION';
   expect(found.codes).toEqual([
-    ...['USAGE', option, 'USAGE', 'USAGE', option, 'VERTEX_OUT_OF_RANGE', 'USAGE', 'USAGE'],
+    ...[
+      'USAGE',
+      'USAGE',
+      option,
+      'USAGE',
+      'USAGE',
+      option,
+      'VERTEX_OUT_OF_RANGE',
+      'USAGE',
+      'USAGE',
+      'USAGE',
+    ],
     'VERTEX_OUT_OF_RANGE',
   ]);
 });

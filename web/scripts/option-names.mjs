@@ -56,13 +56,8 @@ export function optionNamesText(made) {
     return /** @type {ts.InterfaceDeclaration} */ (node);
   };
   const tables = interfaces.map((name) => {
-    // A mesh has calls of other interfaces too.
-    const own =
-      name === 'Mesh'
-        ? checker
-            .getPropertiesOfType(checker.getTypeAtLocation(declared(name)))
-            .flatMap(({ declarations = [] }) => declarations.filter(ts.isMethodSignature))
-        : declared(name).members.filter(ts.isMethodSignature);
+    // The names of the options of analyses are checked where they are read.
+    const own = declared(name).members.filter(ts.isMethodSignature);
     const names = new Set(own.map((method) => method.name.getText()));
     const calls = [...names].flatMap((call) => {
       const overloads = own

@@ -96,13 +96,6 @@ export const callOptionNames: Readonly<
     remesh: { '1': ['even', 'onProgress', 'signal'] },
     smooth: { '1': ['onProgress', 'signal'] },
     difference: { '3': ['signal'] },
-    distances: { '0': ['pairs', 'paths', 'onProgress', 'signal'] },
-    sections: { '0': ['normal', 'offsets', 'inscribed', 'onProgress', 'signal'] },
-    sectionsThrough: { '0': ['points', 'normal', 'across', 'inscribed', 'onProgress', 'signal'] },
-    extremeSection: {
-      '0': ['normal', 'extreme', 'low', 'high', 'measure', 'inscribed', 'onProgress', 'signal'],
-    },
-    measureLandmarks: { '0': ['landmarks', 'normal', 'onProgress', 'signal'] },
   },
   RemeshedMesh: { carryBack: { '1': ['signal'] }, carryField: { '1': ['signal'] } },
 };
