@@ -9,25 +9,14 @@ import {
   parseSection,
 } from '../../../src/element/index.js';
 import type { Section, SectionCurve } from '../../../src/kernel/index.js';
-import type { stemOf } from '../../export/save-file.js';
 import type { Store } from '../../state/store.js';
 import type { Draft } from '../../widgets/draft.js';
-import type { failureWords } from '../../widgets/failure-words.js';
 import type { LengthInput } from '../../widgets/length-input.js';
 import type { Panel } from '../../widgets/panel.js';
 import type { TableActions } from '../../widgets/table-actions.js';
-import type { Table, columnOf } from '../../widgets/table-text.js';
+import type { Table } from '../../widgets/table-text.js';
+import type { PanelKit } from './panel-kit.js';
 import { PinnedSections } from './pinned-sections.js';
-
-/** Parts that the other panels have: an import would split the page's program into many small files. */
-export interface PanelKit {
-  Draft: typeof Draft;
-  LengthInput: typeof LengthInput;
-  TableActions: typeof TableActions;
-  columnOf: typeof columnOf;
-  failureWords: typeof failureWords;
-  stemOf: typeof stemOf;
-}
 
 type Direction = readonly [number, number, number];
 
