@@ -303,7 +303,7 @@ Run add(OptionTable& table) {
   const Writers<Sections> writers{
       {{".csv",
         [options](const io::LoadedMesh& loaded, const Sections& sections) {
-          return options->overAll ? io::resultCsv(loaded, sections)
+          return options->overAll ? io::sectionPlanesCsv(loaded, sections)
                                   : io::sectionsCsv(loaded, sections);
         }},
        {".obj", io::sectionsObj},

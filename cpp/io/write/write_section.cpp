@@ -46,6 +46,20 @@ std::string sectionsCsv(const LoadedMesh& loaded, const Sections& sections) {
   return csv.text();
 }
 
+std::string sectionPlanesCsv(const LoadedMesh& loaded, const Sections& sections) {
+  std::string text = "section,offset,curves,perimeter,tape,area,unit\n";
+  for (std::size_t s = 0; s < sections.sections.size(); ++s) {
+    const Section& section = sections.sections[s];
+    text += std::to_string(s) + "," + formatNumber(section.offset) + "," +
+            std::to_string(section.curves.size());
+    for (const double measure : {section.perimeter, section.tape, section.area}) {
+      text += "," + formatNumber(measure);
+    }
+    text += "," + loaded.unit + "\n";
+  }
+  return text;
+}
+
 std::string sectionsObj(const LoadedMesh& loaded, const Sections& sections) {
   std::string text;
   std::size_t count = 0;

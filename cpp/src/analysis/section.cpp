@@ -1,8 +1,10 @@
 #include "girth/section.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -45,6 +47,12 @@ std::optional<Vec3> unitVector(const Vec3& normal) {
 
 Error noDirection() {
   return makeError(ErrorCode::InvalidOption, -1, "the plane's normal has no finite length above 0");
+}
+
+std::string inWords(double height) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", height);
+  return text.data();
 }
 
 Error cancelledSections() {
@@ -637,8 +645,8 @@ Result<Section> extremeSection(const SurfaceMesh& mesh, const ExtremeSectionOpti
   const auto missed = [&] {
     Error error =
         makeError(ErrorCode::InvalidOption, -1, "no plane of the range meets the surface");
-    error.hint = "along this direction the surface reaches from " +
-                 std::to_string(whole.value().low) + " to " + std::to_string(whole.value().high);
+    error.hint = "along this direction the surface reaches from " + inWords(whole.value().low) +
+                 " to " + inWords(whole.value().high);
     return error;
   };
   if (!(range.low <= range.high)) return missed();

@@ -101,7 +101,7 @@ TEST_F(Command, oneTapeGoesOverAllCurvesWhereAskedFor) {
             0);
   const auto rows = linesOf(contentOf(path("s.csv")));
   ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[0], "number,normalX,normalY,normalZ,offset,perimeter,tape,area,unit");
+  EXPECT_EQ(rows[0], "section,offset,curves,perimeter,tape,area,unit");
   EXPECT_TRUE(contains(run({"section", model, "--tape-over", "some"}).errors, "over each curve"));
 }
 

@@ -391,7 +391,7 @@ TEST(Section, ExtremesOfNoRangeAreRefused) {
   EXPECT_EQ(code({0, 0, 1}, std::nan(""), 1), ErrorCode::InvalidOption);
   EXPECT_EQ(code({0, 0, 1}, 7, 9), ErrorCode::InvalidOption);
   const Error missed = extremeSection(mesh, {{0, 0, 1}, SectionExtreme::Narrowest, 7, 9}).error();
-  EXPECT_NE(missed.hint.find("from 0.000000 to 3.000000"), std::string::npos) << missed.hint;
+  EXPECT_NE(missed.hint.find("from 0 to 3"), std::string::npos) << missed.hint;
 }
 
 TEST(Section, ExtremesOfNoTypedRangeAreThoseOfTheWholeSurface) {

@@ -20,6 +20,10 @@ GIRTH_EXPORT std::string sectionsJson(const LoadedMesh& loaded, const Sections& 
 /// and a row for each curve; sections, curves and limbs are numbered from 0, x, y, z is the centre.
 GIRTH_EXPORT std::string sectionsCsv(const LoadedMesh& loaded, const Sections& sections);
 
+/// `section,offset,curves,perimeter,tape,area,unit` and a row for each section: its number from 0,
+/// how many curves it has, and its measures, of which the tape goes round all of them.
+GIRTH_EXPORT std::string sectionPlanesCsv(const LoadedMesh& loaded, const Sections& sections);
+
 /// Each curve as an object `section_0_curve_0`, ... with a line element.
 GIRTH_EXPORT std::string sectionsObj(const LoadedMesh& loaded, const Sections& sections);
 
