@@ -3,6 +3,7 @@
 import type { Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
+import { complaintsOfAxe } from './axe.js';
 import { clicksOn } from './clicks.js';
 import { hand } from './meshes.js';
 import { builtPage, drop, modelIs, screens, showOn } from './page-support.js';
@@ -76,6 +77,7 @@ test('the curves of a plane at a typed height, in three actions, and to a spread
     const keep = await showOn(page, screen);
     await panel.scrollIntoViewIfNeeded();
     await keep('page-sections');
+    expect(await complaintsOfAxe(page, undefined, '#sections-panel')).toEqual([]);
   }
 });
 
