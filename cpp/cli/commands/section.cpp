@@ -75,6 +75,14 @@ Vec3 usualDirection(const io::LoadedMesh& loaded) {
   return isGltf ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
 }
 
+/// A typed height: a length, but one below 0 too.
+std::optional<Error> readHeight(const std::string& text, const std::string& unit, double& height) {
+  const bool isBelow = text.starts_with('-');
+  auto error = readLength(isBelow ? text.substr(1) : text, unit, height);
+  if (isBelow) height = -height;
+  return error;
+}
+
 /// Planes of the same distance, the outermost half of it within the model.
 std::vector<double> evenly(const HeightRange& range, double count) {
   std::vector<double> offsets;
@@ -104,7 +112,7 @@ Result<std::vector<double>> offsetsOf(const Options& options, const io::LoadedMe
   }
   std::vector<double> offsets;
   for (const std::string& text : options.heights) {
-    if (auto error = readLength(text, loaded.unit, offsets.emplace_back())) {
+    if (auto error = readHeight(text, loaded.unit, offsets.emplace_back())) {
       return *std::move(error);
     }
   }
@@ -121,10 +129,10 @@ Result<HeightRange> typedRange(const Options& options, const io::LoadedMesh& loa
     return usageError("--within " + options.within + " is no range",
                       "type two heights, as in 0.9m,1.2m");
   }
-  if (auto error = readLength(options.within.substr(0, comma), loaded.unit, range.low)) {
+  if (auto error = readHeight(options.within.substr(0, comma), loaded.unit, range.low)) {
     return *std::move(error);
   }
-  if (auto error = readLength(options.within.substr(comma + 1), loaded.unit, range.high)) {
+  if (auto error = readHeight(options.within.substr(comma + 1), loaded.unit, range.high)) {
     return *std::move(error);
   }
   return range;

@@ -76,7 +76,14 @@ class ResultDict {
   }
   template <class Value>
   void operator()(const char* name, const Value& value) {
-    members_[snakeCase(name)] = valueOf(value);
+    if constexpr (!std::is_pointer_v<Value>) {
+      members_[snakeCase(name)] = valueOf(value);
+    } else if (value != nullptr) {
+      (*this)(name, *value);
+    } else {
+      // A result without such a member.
+      members_[snakeCase(name)] = pybind11::none();
+    }
   }
 
  private:
@@ -89,11 +96,6 @@ class ResultDict {
   const { return std::string(toString(word)); }
   std::string valueOf(std::string_view word) const { return std::string(word); }
   Array<double> valueOf(const Vec3& point) const { return pointArray(point); }
-  /// None where a result has no such member.
-  template <class Value>
-  pybind11::object valueOf(const Value* value) const {
-    return value == nullptr ? pybind11::object(pybind11::none()) : valueOf(*value);
-  }
   Array<double> valueOf(const SurfacePoint& point) const {
     return pointArray(positionOf(loaded_.mesh, point));
   }

@@ -56,6 +56,8 @@ TEST_F(Command, planesThatMissAreToldTheRange) {
     EXPECT_TRUE(contains(outcome.errors, words)) << outcome.errors;
   };
   refused({"--at-height", "9"}, "reaches from 0 to 4");
+  refused({"--at-height", "-9"}, "reaches from 0 to 4");
+  refused({"--at-height", "--9"}, "is not a length");
   refused({"--along", "0,-1,0", "--at-height", "1"}, "reaches from -3 to 0");
   refused({"--along", "up"}, "a direction is x, y, z");
   refused({"--along", "0,0,0"}, "no direction");
@@ -136,6 +138,8 @@ TEST_F(Command, aSectionAcrossATube) {
   }
   obj += "f 4 3 2 1\nf 33 34 35 36\n";
   const std::string model = write("tube.obj", obj);
+  EXPECT_EQ(run({"section", model, "--along", "-x", "--at-height", "-3"}).exitCode, 0);
+  EXPECT_EQ(run({"section", model, "--along", "-x", "--widest", "--within", "-3,-2"}).exitCode, 0);
   const Outcome outcome = run({"section", model, "--through", "16", "--across", "--json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   const Json section = Json::parse(outcome.output)["sections"].at(0);
