@@ -178,6 +178,9 @@ Content weakPlacesFile(const Asked& asked) {
   const val places = asked.found["result"]["places"];
   std::vector<WeakPlace>& found = check.value().places;
   for (std::size_t i = 0; i < found.size(); ++i) found[i].thinnest = pointOf(places[i]["thinnest"]);
+  const val creases = asked.found["result"]["creases"];
+  std::vector<Crease>& thin = check.value().creases;
+  for (std::size_t i = 0; i < thin.size(); ++i) thin[i].thinnest = pointOf(creases[i]["thinnest"]);
   const WithFileContent with(asked.surface.loaded(), asked.found["content"]);
   return io::printCheckJson(asked.loaded, check.value(), limitsOf(asked.found["limits"]),
                             asked.name, asked.persistence);

@@ -39,7 +39,12 @@ struct Options {
   std::string persistence;
   double smoothing{0};
   bool positions{false};
+  /// Whether creases fail, too.
+  bool creases{false};
 };
+
+/// Places and creases that are listed, at most.
+constexpr std::size_t kShownCreases = 20;
 
 std::string vertexText(const io::LoadedMesh& loaded, Index vertex) {
   if (vertex == kNoIndex || loaded.inputOfVertex[vertex] == kNoIndex) return "-";
@@ -112,6 +117,28 @@ std::string remedyWords(const PrintCheck& check) {
          " faces meet in a sharp edge or lie on each other";
 }
 
+/// "; 4 creases": what fails by no wall and no gap; empty where there is nothing.
+std::string creaseWords(const std::vector<Crease>& creases) {
+  if (creases.empty()) return "";
+  return "; " + std::to_string(creases.size()) + (creases.size() == 1 ? " crease" : " creases");
+}
+
+void printCreases(const io::LoadedMesh& loaded, const std::vector<Crease>& creases) {
+  if (creases.empty()) return;
+  const std::string unit = unitSuffix(loaded.unit);
+  std::printf("  %-8s %12s %12s %10s  %s\n", "crease", "length", "area", "vertex", "at");
+  for (std::size_t i = 0; i < creases.size() && i < kShownCreases; ++i) {
+    const Crease& crease = creases[i];
+    std::printf("  %-8s %12s %12s %10s  %s%s\n", std::string(toString(crease.kind)).c_str(),
+                readable(crease.length).c_str(), readable(crease.area).c_str(),
+                vertexText(loaded, crease.thinnest.vertex()).c_str(),
+                placeText(loaded, crease.thinnest).c_str(), unit.c_str());
+  }
+  if (creases.size() > kShownCreases) {
+    std::printf("  and %zu shorter ones\n", creases.size() - kShownCreases);
+  }
+}
+
 void printCheck(const std::string& model, const io::LoadedMesh& loaded, const PrintCheck& check,
                 const PrintLimits& limits, double persistence) {
   static constexpr std::array kMeasures{"diameter", "thickness", "clearance"};
@@ -122,13 +149,17 @@ void printCheck(const std::string& model, const io::LoadedMesh& loaded, const Pr
                            persistenceText(persistence, loaded);
   const std::string fault = limits.gap > 0 ? "too thin or too close" : "too thin";
   if (places.empty()) {
-    std::printf("%s: passes: nothing is %s, down to %s of this size%s\n", model.c_str(),
-                fault.c_str(), percentFrom(check.passingScale).c_str(), rest.c_str());
+    std::printf("%s: passes: nothing is %s, down to %s of this size%s%s\n", model.c_str(),
+                fault.c_str(), percentFrom(check.passingScale).c_str(),
+                creaseWords(check.creases).c_str(), rest.c_str());
+    printCreases(loaded, check.creases);
+    if (!check.creases.empty()) printUnits(loaded.unit);
     return;
   }
-  std::printf("%s: fails: %zu place%s %s, %s of the surface; %s%s\n", model.c_str(), places.size(),
-              places.size() == 1 ? "" : "s", fault.c_str(), percent(check.failingShare).c_str(),
-              remedyWords(check).c_str(), rest.c_str());
+  std::printf("%s: fails: %zu place%s %s, %s of the surface; %s%s%s\n", model.c_str(),
+              places.size(), places.size() == 1 ? "" : "s", fault.c_str(),
+              percent(check.failingShare).c_str(), remedyWords(check).c_str(),
+              creaseWords(check.creases).c_str(), rest.c_str());
   std::printf("  %-5s %-9s %12s %12s %10s  %s\n", "kind", "measure", "least", "area", "vertex",
               "at");
   for (const WeakPlace& place : places) {
@@ -137,6 +168,7 @@ void printCheck(const std::string& model, const io::LoadedMesh& loaded, const Pr
                 readable(place.area).c_str(), vertexText(loaded, place.thinnest.vertex()).c_str(),
                 placeText(loaded, place.thinnest).c_str(), unit.c_str());
   }
+  printCreases(loaded, check.creases);
   printUnits(loaded.unit);
 }
 
@@ -303,7 +335,8 @@ int run(const Options& options) {
   } else {
     printParts(options.model, model, parts, wanted.parts, wanted.persistence);
   }
-  return checked.places.empty() ? 0 : kCheckFails;
+  const bool passes = checked.passes() && !(options.creases && !checked.creases.empty());
+  return passes ? 0 : kCheckFails;
 }
 
 Run add(OptionTable& table) {
@@ -326,6 +359,8 @@ Run add(OptionTable& table) {
   addLengthOption(
       table, "--min-gap LENGTH", options->minGap,
       "List gaps between facing surfaces narrower than this, as in 0.5mm; ends with 4 likewise");
+  table.add("--creases", options->creases,
+            "End with 4 for creases, too: sharp edges, faces that touch, slivers");
   addOutputOptions(table, options->output, {".json", ".csv", ".ply"},
                    "Write the answer: .json, or every vertex with its part: .csv, .ply");
   addPositionsOption(table, options->positions);
@@ -340,7 +375,9 @@ Run add(OptionTable& table) {
              "Walls: the diameter of the largest ball inside that touches the surface, at the "
              "vertices and within the faces. Gaps: the same outside. Tubes, up to a girth of 2 pi "
              "times the limit: the least width of the section inside the loop, and girth / pi. "
-             "Edges sharper than 75 degrees are thin. Nothing is passed that is thinner than its "
+             "Creases are listed apart and do not fail: edges sharper than 75 degrees that end at "
+             "thick material, faces that touch, and slivers. Nothing else is passed that is "
+             "thinner than its "
              "limit by more than a millionth; overhangs, strength and what the surface does not "
              "show are not looked at. With --persistence, tubes are not either that stand out no "
              "farther than it.");

@@ -58,20 +58,53 @@ struct GIRTH_EXPORT WeakPlace {
   std::string_view measure() const;
 };
 
+/// Why a measure below a limit belongs to no wall and no gap.
+enum class CreaseKind : std::uint8_t {
+  Crease,    ///< faces run into each other, or end in a lip of an eighth of the limit
+  Rounding,  ///< faces touch, to the rounding of coordinates in single precision
+  Sliver,    ///< a triangle is so low that rounding alone decides where it faces
+};
+
+/// "crease", "rounding" or "sliver".
+GIRTH_EXPORT std::string_view toString(CreaseKind kind);
+
+/// A connected place where measures are below a limit, but where no wall and no gap is. It does not
+/// fail.
+struct Crease {
+  CreaseKind kind{CreaseKind::Crease};  ///< that of its thinnest point
+  /// The sharp edges in it together, in model units; 0 where faces only touch.
+  double length{0};
+  /// In squared model units.
+  double area{0};
+  /// The least measure there, in model units: no thickness of anything.
+  double least{0};
+  /// The point that has it.
+  SurfacePoint thinnest;
+  /// The point of the surface across from it, in model units.
+  Vec3 opposite;
+  /// Its vertices, in rising order, as of a weak place.
+  std::vector<Vertex> vertices;
+  /// Its faces, in rising order.
+  std::vector<Face> faces;
+};
+
 /// The answer to a check.
 struct PrintCheck {
   /// The worst first, in shares of their limits.
   std::vector<WeakPlace> places;
+  /// The places that are thin, but fail by no wall and no gap: the longest first.
+  std::vector<Crease> creases;
   /// The share of the surface's area, in [0, 1], that is in places.
   double failingShare{0};
-  /// From this scale of the shape on nothing fails: all measures grow with it. 1.12: it passes at
-  /// 112% of its size; at most 1 where it passes as it is, and so far at least it may shrink. 0
-  /// where nothing is limited; infinite where something has no thickness at all.
+  /// At this scale of the shape nothing fails, and all measures grow with it. 1.12: it passes at
+  /// 112% of its size; at most 1 where it passes as it is, and so far at least it may shrink (1
+  /// where there are creases). 0 where nothing is limited; infinite where no scale was found, as of
+  /// a blade.
   double passingScale{0};
   /// False after cancelling; then the rest means nothing.
   bool complete{false};
 
-  /// Whether nothing fails.
+  /// Whether nothing fails; creases do not.
   bool passes() const { return places.empty(); }
 };
 
@@ -94,10 +127,13 @@ GIRTH_EXPORT std::optional<Error> whyNotChecked(const SurfaceMesh& mesh, const P
 ///
 /// - Walls: the medial thickness at the vertices, and its least value within each face.
 /// - Gaps: the same on the other side of the surface.
+/// - Creases are told from both: material that is thin only where faces run into each other at an
+///   angle, up to thick material within two limits; lips; and what rounding alone makes.
 /// - Tubes, where the girth is below 2π times the limit: the least width of the cross-section
 ///   inside the loop, or the girth by π where that is less. What is longer round is a wall.
 ///
-/// A length below a limit by a millionth of it passes: files hold coordinates in single precision.
+/// A length below a limit by a millionth of it passes, of walls and gaps by the rounding of the
+/// coordinates in single precision.
 /// `options.side` does not matter. The same for any number of threads. O(n log n) for usual
 /// surfaces, and a loop for every vertex of a tube. Errors: those of whyNotChecked; USAGE where
 /// there are not as many values as vertices, a limit is negative or not a number, or the angle is

@@ -435,29 +435,69 @@ class WeakPlace(_Members):
     faces: np.ndarray
 
 
+class Crease(_Members):
+    """A connected place where measures are below a limit, but where no wall and no gap is. It
+    does not fail.
+
+    Attributes
+    ----------
+    kind : str
+        That of its thinnest point. ``"crease"``: Faces run into each other, or end in a lip of
+        an eighth of the limit. ``"rounding"``: Faces touch, to the rounding of coordinates in
+        single precision. ``"sliver"``: A triangle is so low that rounding alone decides where
+        it faces.
+    length : float
+        The sharp edges in it together, in model units; 0 where faces only touch.
+    area : float
+        In squared model units.
+    least : float
+        The least measure there, in model units: no thickness of anything.
+    thinnest : ndarray of float64, shape (3,)
+        The point that has it.
+    opposite : ndarray of float64, shape (3,)
+        The point of the surface across from it, in model units.
+    vertices : ndarray of int64
+        Its vertices, in rising order, as of a weak place.
+    faces : ndarray of int64
+        Its faces, in rising order.
+    """
+
+    kind: str
+    length: float
+    area: float
+    least: float
+    thinnest: np.ndarray
+    opposite: np.ndarray
+    vertices: np.ndarray
+    faces: np.ndarray
+
+
 class PrintCheck(_Members):
     """The answer to a check.
 
     Attributes
     ----------
     passes : bool
-        Whether nothing fails.
+        Whether nothing fails; creases do not.
     failing_share : float
         The share of the surface's area, in [0, 1], that is in places.
     passing_scale : float
-        From this scale of the shape on nothing fails: all measures grow with it. 1.12: it
-        passes at 112% of its size; at most 1 where it passes as it is, and so far at least it
-        may shrink. 0 where nothing is limited; infinite where something has no thickness at
-        all.
+        At this scale of the shape nothing fails, and all measures grow with it. 1.12: it passes
+        at 112% of its size; at most 1 where it passes as it is, and so far at least it may
+        shrink (1 where there are creases). 0 where nothing is limited; infinite where no scale
+        was found, as of a blade.
     places : list of WeakPlace
         The worst first, in shares of their limits.
+    creases : list of Crease
+        The places that are thin, but fail by no wall and no gap: the longest first.
     """
 
-    _entries = {"places": "WeakPlace"}
+    _entries = {"places": "WeakPlace", "creases": "Crease"}
     passes: bool
     failing_share: float
     passing_scale: float
     places: list["WeakPlace"]
+    creases: list["Crease"]
 
 
 class HandleRemoval(_Members):

@@ -25,6 +25,7 @@ __all__ = [
     "Bottleneck",
     "Comparison",
     "Contour",
+    "Crease",
     "Cut",
     "CutPart",
     "Field",
@@ -468,6 +469,11 @@ class Maximum(_members.Maximum):
 class WeakPlace(_members.WeakPlace):
     def _line(self) -> str:
         return f"{self.kind}, {self.measure} {self.least:.4g}"
+
+
+class Crease(_members.Crease):
+    def _line(self) -> str:
+        return f"{self.kind}, length {self.length:.4g}"
 
 
 class PrintCheck(_members.PrintCheck):

@@ -10,12 +10,14 @@
 #include <utility>
 
 #include "analysis/regions.h"
+#include "analysis/thin_kinds.h"
 #include "descriptors/facing_surface.h"
 #include "girth/parallel.h"
 #include "girth/shape_diameter.h"
 #include "girth/vertex_areas.h"
 #include "girth/vertex_function.h"
 #include "mesh/angles.h"
+#include "mesh/face_shape.h"
 #include "mesh/nearest_point.h"
 #include "mesh/vector.h"
 #include "part_of_work.h"
@@ -31,6 +33,8 @@ constexpr std::size_t kFacesAtOnce = 16;
 /// Samples that tell how much of the faces fails: of all faces together, and of one.
 constexpr std::size_t kMostSamplesInAll = 1u << 18;
 constexpr int kFinestSamples = 5;
+/// Scales that are tried until a shape passes.
+constexpr int kMostRounds = 6;
 
 std::optional<Error> usage(const std::string& message) {
   return makeError(ErrorCode::Usage, -1, message);
@@ -81,11 +85,28 @@ SurfacePoint pointIn(const SurfaceMesh& mesh, Face face, const Vec3& p) {
   return SurfacePoint::inFace(face, found.weights);
 }
 
+/// Measures below a limit; infinite elsewhere.
+struct ThinMeasures {
+  std::vector<double> values;       ///< at the vertices
+  std::vector<TouchingBall> balls;  ///< the least of each face
+
+  double least() const {
+    double least = kNoMeasure;
+    for (const double value : values) least = std::min(least, value);
+    for (const TouchingBall& ball : balls) least = std::min(least, ball.diameter);
+    return least;
+  }
+};
+
 /// Walls, or gaps: what is too thin on one side of the surface.
 struct SideCheck {
   const SurfaceMesh& mesh;
   FacingSurface surface;
+  /// By faces that oppose each other alone.
+  FacingSurface opposing;
   WeakKind kind;
+  double wanted;
+  double rounding;
   double limit;
   /// At the vertices; infinite where there is none.
   std::vector<double> values;
@@ -93,13 +114,18 @@ struct SideCheck {
   std::vector<TouchingBall> balls;
   /// The least measure of all, above the limit too.
   double least{kNoMeasure};
+  /// The parts of both that are walls (or gaps), and that are creases.
+  ThinMeasures walls, creases;
 
   SideCheck(const SurfaceMesh& checked, const ThicknessOptions& options, WeakKind what,
-            double wanted)
+            double least)
       : mesh(checked),
         surface(checked, options),
+        opposing(checked, {std::min(options.sharpAngle, kOpposingAngle), options.side}),
         kind(what),
-        limit(wanted * (1 - kSinglePrecision)) {}
+        wanted(least),
+        rounding(kSingleRounding * extentOf(checked)),
+        limit(least - std::clamp(rounding, kSinglePrecision * least, 0.5 * least)) {}
 
   bool measureVertices(const ExecutionContext& context) {
     values.assign(mesh.vertexCount(), kNoMeasure);
@@ -130,24 +156,80 @@ struct SideCheck {
     return whole;
   }
 
-  bool fails(Vertex v) const { return values[v] < limit; }
-  bool fails(Face f) const { return balls[f].diameter < limit; }
+  /// The walls below a limit of at most `limit`; nothing after cancelling.
+  std::optional<ThinMeasures> wallsBelow(double bound, const ExecutionContext& context) const {
+    const ThinKinds kinds(mesh, surface, opposing, values, bound, rounding, kind == WeakKind::Gap);
+    ThinMeasures found{std::vector<double>(mesh.vertexCount(), kNoMeasure),
+                       std::vector<TouchingBall>(mesh.faceCount())};
+    const bool whole = parallelFor(mesh.faceCount(), kFacesAtOnce, partOf(context, 0, 0.8),
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (Face f(static_cast<Index>(begin)); f < end; ++f) {
+                                       if (balls[f].diameter < bound)
+                                         found.balls[f] = kinds.wallIn(f, balls[f]);
+                                     }
+                                   }) &&
+                       parallelFor(mesh.vertexCount(), kFacesAtOnce, partOf(context, 0.8, 1),
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (Vertex v(static_cast<Index>(begin)); v < end; ++v) {
+                                       if (values[v] < bound) found.values[v] = kinds.wallAt(v);
+                                     }
+                                   });
+    if (!whole) return std::nullopt;
+    return found;
+  }
+
+  /// Tells walls from creases.
+  bool divide(const ExecutionContext& context) {
+    auto found = wallsBelow(limit, context);
+    if (!found) return false;
+    walls = *std::move(found);
+    creases = {values, balls};
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      if (!(values[v] < limit) || walls.values[v] < kNoMeasure) creases.values[v] = kNoMeasure;
+    }
+    for (std::size_t f = 0; f < balls.size(); ++f) {
+      if (walls.balls[f].diameter < kNoMeasure) creases.balls[f] = {};
+    }
+    return true;
+  }
+
+  /// A scale from which on there are no walls; infinite where none is found. Creases that remain
+  /// let nothing be said of smaller shapes. Nothing after cancelling.
+  std::optional<double> passingScale(const ExecutionContext& context) const {
+    double thinnest = walls.least();
+    if (!(thinnest < kNoMeasure)) {
+      if (creases.least() < kNoMeasure) return 1;
+      return least < kNoMeasure ? scaleThatPasses(wanted, least) : 0;
+    }
+    ExecutionContext quiet = context;
+    quiet.onProgress = {};
+    // A smaller limit may make walls of creases and lips, but not often.
+    for (int round = 0; round < kMostRounds && thinnest > 0; ++round) {
+      const auto rest = wallsBelow(thinnest * (1 - kSinglePrecision), quiet);
+      if (!rest) return std::nullopt;
+      const double next = rest->least();
+      if (!(next < kNoMeasure)) return scaleThatPasses(wanted, thinnest);
+      thinnest = next;
+    }
+    return kNoMeasure;
+  }
 
   /// How much of a face that fails somewhere fails, up to 1, by `4^level` samples, one at least.
-  double shareOf(Face face, int level) const {
+  double shareOf(Face face, const ThinMeasures& thin, const FacingSurface& by, int level) const {
     const auto [a, b, c] = mesh.faceVertices(face);
-    if (fails(a) && fails(b) && fails(c)) return 1;
+    if (thin.values[a] < limit && thin.values[b] < limit && thin.values[c] < limit) return 1;
     const Vec3 corner = mesh.position(a);
     const int parts = 1 << level;
     const Vec3 u = (1.0 / parts) * (mesh.position(b) - corner),
                v = (1.0 / parts) * (mesh.position(c) - corner);
     int failing = 0;
+    const auto fails = [&](const Vec3& p) { return by.atPoint(face, p, limit).diameter < limit; };
     for (int i = 0; i < parts; ++i) {
       for (int k = 0; i + k < parts; ++k) {
         const Vec3 at = corner + static_cast<double>(i) * u + static_cast<double>(k) * v;
-        failing += surface.isBelow(face, at + (1.0 / 3) * (u + v), limit) ? 1 : 0;
+        failing += fails(at + (1.0 / 3) * (u + v)) ? 1 : 0;
         if (i + k + 2 > parts) continue;
-        failing += surface.isBelow(face, at + (2.0 / 3) * (u + v), limit) ? 1 : 0;
+        failing += fails(at + (2.0 / 3) * (u + v)) ? 1 : 0;
       }
     }
     return std::max(1.0, static_cast<double>(failing)) / (static_cast<double>(parts) * parts);
@@ -177,23 +259,25 @@ struct SideCheck {
     return corners;
   }
 
-  /// Connected places, in the order of their first vertex or face. `isTaken`: vertices that belong
-  /// to a tube, which are not told again.
-  bool places(const std::vector<bool>& isTaken, const std::vector<double>& vertexAreas,
+  /// Connected places of some measures, in the order of their first vertex or face. `by`: measures
+  /// points within faces. `isTaken`: vertices that belong to a tube, which are not told again.
+  bool places(const ThinMeasures& measures, const FacingSurface& by,
+              const std::vector<bool>& isTaken, const std::vector<double>& vertexAreas,
               const ExecutionContext& context, std::vector<WeakPlace>& found) const {
+    const std::size_t before = found.size();
     std::vector<bool> thin(mesh.vertexCount()), thinFace(mesh.faceCount());
-    for (const Vertex v : mesh.vertices()) thin[v] = fails(v) && !isTaken[v];
+    for (const Vertex v : mesh.vertices()) thin[v] = measures.values[v] < limit && !isTaken[v];
     std::vector<Face> faces;
     for (const Face f : mesh.faces()) {
       const auto [a, b, c] = mesh.faceVertices(f);
-      thinFace[f] = fails(f) && !(isTaken[a] && isTaken[b] && isTaken[c]);
+      thinFace[f] = measures.balls[f].diameter < limit && !(isTaken[a] && isTaken[b] && isTaken[c]);
       if (thinFace[f]) faces.push_back(f);
     }
     std::vector<double> shares(faces.size());
     const bool whole =
         parallelFor(faces.size(), 1, context, [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i) {
-            shares[i] = shareOf(faces[i], levelFor(faces[i], faces.size()));
+            shares[i] = shareOf(faces[i], measures, by, levelFor(faces[i], faces.size()));
           }
         });
     if (!whole) return false;
@@ -231,8 +315,8 @@ struct SideCheck {
       WeakPlace& place = placeOf(v);
       place.vertices.push_back(v);
       if (!isCounted[v]) place.area += vertexAreas[v];
-      if (values[v] < place.least) {
-        place.least = values[v];
+      if (measures.values[v] < place.least) {
+        place.least = measures.values[v];
         place.thinnest = SurfacePoint::atVertex(v);
       }
     }
@@ -241,19 +325,45 @@ struct SideCheck {
       WeakPlace& place = placeOf(vertices + f);
       place.faces.push_back(f);
       place.area += shares[i] * mesh.area(f);
-      if (balls[f].diameter < place.least) {
-        place.least = balls[f].diameter;
-        place.thinnest = pointIn(mesh, f, balls[f].from);
-        place.opposite = balls[f].to;
+      const TouchingBall& ball = measures.balls[f];
+      if (ball.diameter < place.least) {
+        place.least = ball.diameter;
+        place.thinnest = pointIn(mesh, f, ball.from);
+        place.opposite = ball.to;
       }
     }
-    for (WeakPlace& place : found) {
+    for (std::size_t i = before; i < found.size(); ++i) {
+      WeakPlace& place = found[i];
       if (place.vertices.empty()) place.vertices = cornersOf(place.faces);
-      if (place.kind == kind && place.thinnest.vertex() != Vertex::none) {
-        place.opposite = surface.atVertex(place.thinnest.vertex()).to;
-      }
+      const Vertex at = place.thinnest.vertex();
+      if (at != Vertex::none) place.opposite = by.atVertex(at).to;
     }
     return true;
+  }
+
+  /// A connected place of creases, with its kind and length.
+  Crease creaseOf(WeakPlace&& place) const {
+    const ThinKinds kinds(mesh, surface, opposing, values, limit, rounding, kind == WeakKind::Gap);
+    Crease crease;
+    crease.area = place.area;
+    crease.least = place.least;
+    crease.thinnest = place.thinnest;
+    crease.opposite = place.opposite;
+    for (const Face f : place.faces) {
+      if (creases.balls[f].diameter <= place.least) crease.kind = kinds.kindOf(f, creases.balls[f]);
+      for (Index k = 0; k < 3; ++k) {
+        const Halfedge h = SurfaceMesh::side(f, k), twin = mesh.twin(h);
+        if (twin == Halfedge::none || h > twin) continue;
+        const bool inside =
+            std::binary_search(place.faces.begin(), place.faces.end(), SurfaceMesh::faceOf(twin));
+        if (inside && surface.bendAt(h) == FacingSurface::Bend::Outward) {
+          crease.length += mesh.length(h);
+        }
+      }
+    }
+    crease.vertices = std::move(place.vertices);
+    crease.faces = std::move(place.faces);
+    return crease;
   }
 };
 
@@ -343,6 +453,18 @@ std::string_view toString(WeakKind kind) {
   return "gap";
 }
 
+std::string_view toString(CreaseKind kind) {
+  switch (kind) {
+    case CreaseKind::Crease:
+      return "crease";
+    case CreaseKind::Rounding:
+      return "rounding";
+    case CreaseKind::Sliver:
+      break;
+  }
+  return "sliver";
+}
+
 std::string_view WeakPlace::measure() const {
   switch (kind) {
     case WeakKind::Tube:
@@ -407,17 +529,26 @@ Result<PrintCheck> checkPrint(const SurfaceMesh& mesh, const PrintFields& fields
     } else if (!part.measureVertices(partOf(context, from, from + 0.15))) {
       return check;
     }
-    if (!part.measureFaces(partOf(context, from + 0.15, from + 0.25))) return check;
-    if (!part.places(inside ? isTube : std::vector<bool>(mesh.vertexCount(), false), areas,
-                     partOf(context, from + 0.25, from + 0.3), check.places)) {
+    if (!part.measureFaces(partOf(context, from + 0.15, from + 0.2)) ||
+        !part.divide(partOf(context, from + 0.2, from + 0.24))) {
       return check;
     }
-    if (part.least < kNoMeasure) {
-      check.passingScale =
-          std::max(check.passingScale,
-                   scaleThatPasses(inside ? limits.wallThickness : limits.gap, part.least));
+    const std::vector<bool> isTaken =
+        inside ? isTube : std::vector<bool>(mesh.vertexCount(), false);
+    std::vector<WeakPlace> thin;
+    if (!part.places(part.walls, part.opposing, isTaken, areas,
+                     partOf(context, from + 0.24, from + 0.26), check.places) ||
+        !part.places(part.creases, part.surface, isTaken, areas,
+                     partOf(context, from + 0.26, from + 0.28), thin)) {
+      return check;
     }
+    for (WeakPlace& place : thin) check.creases.push_back(part.creaseOf(std::move(place)));
+    const auto scale = part.passingScale(partOf(context, from + 0.28, from + 0.3));
+    if (!scale) return check;
+    check.passingScale = std::max(check.passingScale, *scale);
   }
+  std::stable_sort(check.creases.begin(), check.creases.end(),
+                   [](const Crease& a, const Crease& b) { return a.length > b.length; });
   double area = 0;
   for (const WeakPlace& place : check.places) area += place.area;
   check.failingShare = std::min(1.0, area / mesh.area());

@@ -262,11 +262,12 @@ TouchingBall FacingSurface::at(const Vec3& p, const Vec3& inward, Index componen
     if (areApart(face, component)) return;
     const auto [a, b, c] = mesh_.faceVertices(face);
     if (a == vertex || b == vertex || c == vertex) {
-      if (slope >= cosSharp_ && isBehind(face, vertex, inward)) best = {0, p, p};
+      if (slope >= cosSharp_ && isBehind(face, vertex, inward)) best = {0, p, p, face};
       return;
     }
     forEachTarget(face, inward, [&](const Target& target) {
-      const TouchingBall ball = ballAt(p, inward, target);
+      TouchingBall ball = ballAt(p, inward, target);
+      ball.across = face;
       if (ball.diameter < best.diameter) best = ball;
     });
   };
@@ -343,7 +344,8 @@ TouchingBall FacingSurface::straightFrom(Vertex vertex) const {
     const Vec3 direction = (1 / distance) * (q - p);
     if (!isFree(direction)) return;
     forEachTarget(Face(f), direction, [&](const Target& target) {
-      const TouchingBall ball = ballAt(p, direction, target);
+      TouchingBall ball = ballAt(p, direction, target);
+      ball.across = Face(f);
       if (ball.diameter < best.diameter) best = ball;
     });
   };
@@ -352,7 +354,8 @@ TouchingBall FacingSurface::straightFrom(Vertex vertex) const {
 }
 
 /// Tries balls between an edge that sticks into the body and others.
-void FacingSurface::straightBetween(Halfedge edge, TouchingBall& best) const {
+void FacingSurface::straightBetween(Halfedge edge, TouchingBall& best,
+                                    const std::function<bool(const TouchingBall&)>& counts) const {
   const Vec3 p = mesh_.position(mesh_.from(edge)), u = mesh_.position(mesh_.to(edge)) - p;
   const Vec3 low = lower(p, p + u), high = upper(p, p + u);
   const auto urgency = [&](Index node, const NearestSearch::Box& box) {
@@ -370,15 +373,25 @@ void FacingSurface::straightBetween(Halfedge edge, TouchingBall& best) const {
       // Where the two lines are nearest; at the ends, vertices see to it.
       const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v);
       const double divisor = uu * vv - uv * uv;
-      if (!(divisor > 1e-12 * uu * vv)) continue;
-      const double s = (dot(q - p, u) * vv - dot(q - p, v) * uv) / divisor;
-      const double t = (dot(q - p, u) * uv - dot(q - p, v) * uu) / divisor;
+      double s = (dot(q - p, u) * vv - dot(q - p, v) * uv) / divisor;
+      double t = (dot(q - p, u) * uv - dot(q - p, v) * uu) / divisor;
+      if (!(divisor > 1e-12 * uu * vv)) {
+        // Parallel: in the middle of where they lie abreast.
+        const double a = dot(q - p, u) / uu, b = dot(q + v - p, u) / uu;
+        const double begin = std::max(0.0, std::min(a, b)), end = std::min(1.0, std::max(a, b));
+        if (!(begin < end)) continue;
+        s = (begin + end) / 2;
+        t = dot(p + s * u - q, v) / vv;
+      }
       if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) continue;
       const Vec3 from = p + s * u, to = q + t * v;
       const double distance = norm(to - from);
       if (!(distance > 0 && distance < best.diameter)) continue;
       const Vec3 direction = (1 / distance) * (to - from);
-      if (recedes(other, direction) && recedes(edge, -1 * direction)) best = {distance, from, to};
+      const TouchingBall ball{distance, from, to, Face(f)};
+      if (recedes(other, direction) && recedes(edge, -1 * direction) && (!counts || counts(ball))) {
+        best = ball;
+      }
     }
   };
   tree_.search(urgency, look);
@@ -395,9 +408,16 @@ TouchingBall FacingSurface::atVertex(Vertex vertex) const {
   return best;
 }
 
-bool FacingSurface::isBelow(Face face, const Vec3& p, double limit) const {
+TouchingBall FacingSurface::atPoint(Face face, const Vec3& p, double limit) const {
   const Index component = mesh_.componentOf(mesh_.faceVertices(face)[0]);
-  return at(p, inward(face), component, Vertex::none, limit).diameter < limit;
+  return at(p, inward(face), component, Vertex::none, limit);
+}
+
+FacingSurface::Bend FacingSurface::bendAt(Halfedge halfedge) const {
+  const Face face = SurfaceMesh::faceOf(halfedge),
+             other = SurfaceMesh::faceOf(mesh_.twin(halfedge));
+  if (dot(normals_[face], normals_[other]) >= kCosCrease) return Bend::Smooth;
+  return bend(halfedge) > 0 ? Bend::Inward : Bend::Outward;
 }
 
 /// Whether the surface is flat across the edges of a face, or ends there, or has creases.
@@ -468,7 +488,8 @@ double FacingSurface::reachOf(Face face) const {
                    mesh_.length(SurfaceMesh::side(face, 2))});
 }
 
-TouchingBall FacingSurface::inFace(Face face, double limit) const {
+TouchingBall FacingSurface::inFace(Face face, double limit,
+                                   const std::function<bool(const TouchingBall&)>& counts) const {
   TouchingBall best;
   best.diameter = limit;
   const auto& corners = tree_.triangle(face);
@@ -513,18 +534,20 @@ TouchingBall FacingSurface::inFace(Face face, double limit) const {
     if (areApart(other, component)) return;
     forEachTarget(other, in, [&](const Target& target) {
       if (Vec3 at; target.count == 3 && meetAtSharpVertex(face, other, at)) {
-        best = {0, at, at};
+        const TouchingBall ball{0, at, at, other};
+        if (!counts || counts(ball)) best = ball;
         return;
       }
       const auto base = baseBefore(face, exact, in, target, best.diameter);
       if (!base) return;
-      const TouchingBall ball = ballBetween(*base, target);
-      if (ball.diameter < best.diameter) best = ball;
+      TouchingBall ball = ballBetween(*base, target);
+      ball.across = other;
+      if (ball.diameter < best.diameter && (!counts || counts(ball))) best = ball;
     });
   };
   tree_.search(urgency, look);
   for (Index k = 0; k < 3; ++k) {
-    if (spikes_[face] & edgeBit(k)) straightBetween(SurfaceMesh::side(face, k), best);
+    if (spikes_[face] & edgeBit(k)) straightBetween(SurfaceMesh::side(face, k), best, counts);
   }
   if (best.diameter < limit) return best;
   return {};

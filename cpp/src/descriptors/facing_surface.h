@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,11 +28,21 @@ class FacingSurface {
   TouchingBall atVertex(Vertex vertex) const;
 
   /// The smallest of the balls that touch within a face, among those smaller than `limit`; infinite
-  /// where there is none.
-  TouchingBall inFace(Face face, double limit) const;
+  /// where there is none. Of each pair of faces the smallest ball is one; `counts(ball)`, where it
+  /// is given, says which of them are to count.
+  TouchingBall inFace(Face face, double limit,
+                      const std::function<bool(const TouchingBall&)>& counts = {}) const;
 
-  /// Whether the ball at a point of a face is smaller than `limit`.
-  bool isBelow(Face face, const Vec3& p, double limit) const;
+  /// The ball at a point of a face, if it is smaller than `limit`; else infinite.
+  TouchingBall atPoint(Face face, const Vec3& p, double limit) const;
+
+  /// How the surface goes on across an edge, seen by balls.
+  enum class Bend : std::uint8_t {
+    Smooth,  ///< by at most 30°
+    Inward,  ///< a crease that sticks into what is measured
+    Outward  ///< a crease round what is measured
+  };
+  Bend bendAt(Halfedge halfedge) const;
 
  private:
   /// The directions of the normals below a box of the tree: each coordinate within an interval.
@@ -47,7 +58,8 @@ class FacingSurface {
                   double limit) const;
   bool mayFace(const Directions& directions, const Vec3& inward) const;
   TouchingBall straightFrom(Vertex vertex) const;
-  void straightBetween(Halfedge edge, TouchingBall& best) const;
+  void straightBetween(Halfedge edge, TouchingBall& best,
+                       const std::function<bool(const TouchingBall&)>& counts) const;
   bool recedes(Halfedge halfedge, const Vec3& direction) const;
   bool areApart(Face face, Index component) const;
   bool isBehind(Face face, Vertex vertex, const Vec3& inward) const;

@@ -11,6 +11,7 @@
 #include <limits>
 #include <span>
 
+#include "girth/elements.h"
 #include "mesh/vector.h"
 
 namespace girth {
@@ -19,6 +20,7 @@ namespace girth {
 struct TouchingBall {
   double diameter{std::numeric_limits<double>::infinity()};
   Vec3 from, to;
+  Face across{Face::none};  ///< that it reaches; none until a surface says so
 };
 
 /// A flat convex piece of the surface that balls are to reach: a triangle, a segment or a point.

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { type PrintReport, printReportHtml } from '../../../web/app/panels/print/print-report.js';
 import { answerWords } from '../../../web/app/panels/print/print-words.js';
-import type { WeakPlace } from '../../../web/src/kernel/index.js';
+import type { Crease, WeakPlace } from '../../../web/src/kernel/index.js';
 
 const tube: WeakPlace = {
   kind: 'tube',
@@ -22,8 +22,24 @@ const wall: WeakPlace = {
   thinnest: { face: 3, weights: [0.5, 0.25, 0.25] },
   opposite: [0, 0, 1],
 };
-const check = { passes: false, places: [tube, wall], failingShare: 0.1249, passingScale: 1.412 };
-const passed = { passes: true, places: [], failingShare: 0, passingScale: 0.6149 };
+const check = {
+  passes: false,
+  places: [tube, wall],
+  creases: [],
+  failingShare: 0.1249,
+  passingScale: 1.412,
+};
+const passed = { ...check, passes: true, places: [], failingShare: 0, passingScale: 0.6149 };
+const crease: Crease = {
+  kind: 'crease',
+  length: 2.5,
+  area: 0.75,
+  least: 0,
+  thinnest: 4,
+  opposite: [0, 0, 1],
+  vertices: new Uint32Array([4]),
+  faces: new Uint32Array([5]),
+};
 const report: PrintReport = {
   model: 'bracket.stl',
   facts: '9,872 faces · genus 3',
@@ -73,13 +89,24 @@ test('what passes says so, and has no table', () => {
   expect(html).not.toContain('<table');
 });
 
+test('creases are listed apart, and do not fail', () => {
+  const creased = { ...passed, creases: [crease], passingScale: 1 };
+  expect(answerWords(creased)).toBe(
+    'Passes: nothing is too thin, down to 100% of this size. Creases: 1.',
+  );
+  const html = printReportHtml({ ...report, check: creased, places: [] });
+  expect(html).toContain('<h2>Creases, which do not fail</h2>');
+  expect(html).toContain('<td>crease</td><td class="number">2.50\u202fmm</td>');
+  expect(printReportHtml(report)).not.toContain('Creases, which');
+});
+
 test('cautions stand under the answer', () => {
   const cautions = ['The surface has 2 holes.'];
   expect(printReportHtml({ ...report, cautions })).toContain('<p>The surface has 2 holes.</p>');
 });
 
 test('the answer says of how much, and what would help', () => {
-  const one = { passes: false, places: [wall], failingShare: 0.001, passingScale: 12.345 };
+  const one = { ...check, places: [wall], failingShare: 0.001, passingScale: 12.345 };
   expect(answerWords(one)).toBe(
     'Fails: one place is too thin, <1% of the surface. Passes from 12.4 times this size.',
   );

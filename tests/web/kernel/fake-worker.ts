@@ -125,7 +125,7 @@ export function fakeSurface(count: number): Behaviour {
       case 'path':
         return { length: 1, straight: 1, polyline: new Float32Array(6) };
       case 'printCheck':
-        return { places: [], failingShare: 0, passingScale: 0 };
+        return { places: [], creases: [], failingShare: 0, passingScale: 0 };
       case 'tips':
         return { tips: [], arcs: [], crossedEdges: 0, linePoints: new Float64Array(0) };
       case 'writeFields':

@@ -26,12 +26,21 @@ constexpr auto describe(Members<WeakPlace>) {
       member("vertices", &WeakPlace::vertices), member("faces", &WeakPlace::faces));
 }
 
+/// The members of a crease.
+constexpr auto describe(Members<Crease>) {
+  return described<Crease>(member("kind", &Crease::kind), member("length", &Crease::length),
+                           member("area", &Crease::area), member("least", &Crease::least),
+                           member("thinnest", &Crease::thinnest),
+                           member("opposite", &Crease::opposite),
+                           member("vertices", &Crease::vertices), member("faces", &Crease::faces));
+}
+
 /// The members of a check.
 constexpr auto describe(Members<PrintCheck>) {
   return described<PrintCheck>(
       member("passes", &PrintCheck::passes), member("failingShare", &PrintCheck::failingShare),
       member("passingScale", &PrintCheck::passingScale), member("places", &PrintCheck::places),
-      unwritten(&PrintCheck::complete));
+      member("creases", &PrintCheck::creases), unwritten(&PrintCheck::complete));
 }
 
 }  // namespace girth

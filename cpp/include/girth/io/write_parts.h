@@ -23,7 +23,9 @@ GIRTH_EXPORT std::string partsJson(const LoadedMesh& loaded, const Parts& parts,
 /// One JSON object: `file`, `unit`, `limits` (`tubeDiameter`, `wallThickness`, `gap`), `passes`,
 /// `failingShare`, `passingScale` (null where no scale helps) and `places`: of each its `kind`
 /// ("tube", "wall" or "gap"), `measure` ("diameter", "thickness" or "clearance"), `least`, `area`,
-/// `thinnest`, `opposite` (walls and gaps: a position) and `vertices`. As in print_check.h.
+/// `thinnest`, `opposite` (walls and gaps: a position) and `vertices`; `creases`: of each its
+/// `kind`
+/// ("crease", "rounding" or "sliver"), `length` and the like. As in print_check.h.
 /// `persistence`: as above.
 GIRTH_EXPORT std::string printCheckJson(const LoadedMesh& loaded, const PrintCheck& check,
                                         const PrintLimits& limits, std::string_view file,

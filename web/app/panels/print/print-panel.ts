@@ -354,6 +354,7 @@ export class PrintPanel {
       if (asked !== this.#asked || viewer.info !== info) return;
       this.#checked = { limits, check, pictures: new Map(), images: new Map() };
       this.#show();
+      this.#answer.scrollIntoView({ block: 'nearest' });
       for (const place of check.places.slice(0, picturedPlaces)) {
         await this.#picture(this.#checked, place);
         if (asked !== this.#asked || viewer.info !== info) return;

@@ -31,6 +31,8 @@ export interface PrintReport {
   date: string;
 }
 
+const listedCreases = 40;
+
 const style = `
   :root { color-scheme: light; }
   body { font: 15px/1.5 system-ui, sans-serif; color: #1c1d21; background: #fff; margin: 40px auto;
@@ -100,6 +102,18 @@ export function printReportHtml(report: PrintReport): string {
       <tbody>${rows.join('\n')}</tbody>
     </table>
     ${more > 0 ? `<p class="quiet">and ${formatCount(more)} smaller ones</p>` : ''}`;
+  const creased = `
+    <h2>Creases, which do not fail</h2>
+    <table>
+      <thead><tr><th>What</th><th class="number">Length</th><th class="number">Area</th></tr></thead>
+      <tbody>${check.creases
+        .slice(0, listedCreases)
+        .map(
+          ({ kind, length, area }) =>
+            `<tr><td>${kind}</td><td class="number">${escaped(formatLength(length, format))}</td><td class="number">${escaped(formatArea(area, format))}</td></tr>`,
+        )
+        .join('\n')}</tbody>
+    </table>`;
   return `<!doctype html>
 <html lang="en">
 <head>
@@ -117,9 +131,10 @@ ${unchecked && `<p>Not checked: ${unchecked}.</p>`}
 ${cautions.map((caution) => `<p>${escaped(caution)}</p>`).join('\n')}
 ${image(overview, 'overview', `The whole of ${model}`)}
 ${count > 0 ? table : ''}
+${check.creases.length > 0 ? creased : ''}
 <p class="quiet">The diameter of a tube is the least width of the section inside its loop, or the loop’s length
 divided by π where that is less. The thickness of a wall is the largest ball inside that touches the surface;
-the clearance of a gap is the largest ball between. Edges sharper than 75° count as thin. Overhangs, strength, and what
+the clearance of a gap is the largest ball between. Creases are thin only where faces run into each other or touch. Overhangs, strength, and what
 the surface does not show are not checked. Made with Girth, ${escaped(date)}.</p>
 </body>
 </html>

@@ -36,20 +36,21 @@ function shareWords(share: number): string {
 
 /**
  * 'Fails: 3 places are too thin, 12% of the surface. Passes from 112% of this size.', 'Passes: nothing is
- * too thin, down to 62% of this size.'; or too close, where gaps are limited.
+ * too thin, down to 62% of this size.'; or too close, where gaps are limited. Creases are counted behind.
  */
 export function answerWords(
-  { places, failingShare, passingScale }: PrintCheck,
+  { places, creases, failingShare, passingScale }: PrintCheck,
   { gap = 0 }: Pick<PrintLimits, 'gap'> = {},
 ): string {
   const fault = gap > 0 ? 'too thin or too close' : 'too thin';
+  const creased = creases.length > 0 ? ` Creases: ${formatCount(creases.length)}.` : '';
   if (places.length === 0) {
-    return `Passes: nothing is ${fault}, down to ${ofSize(passingScale, 'this size')}.`;
+    return `Passes: nothing is ${fault}, down to ${ofSize(passingScale, 'this size')}.${creased}`;
   }
   const count = places.length === 1 ? 'one place is' : `${formatCount(places.length)} places are`;
   const bare = places.filter(({ least }) => least === 0).length;
   const remedy = Number.isFinite(passingScale)
     ? `Passes from ${ofSize(passingScale, 'this size')}.`
     : `It passes at no size: ${bare === 1 ? 'at one place' : `at ${formatCount(bare)} places`} faces meet in a sharp edge or lie on each other.`;
-  return `Fails: ${count} ${fault}, ${shareWords(failingShare)} of the surface. ${remedy}`;
+  return `Fails: ${count} ${fault}, ${shareWords(failingShare)} of the surface. ${remedy}${creased}`;
 }

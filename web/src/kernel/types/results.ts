@@ -71,6 +71,15 @@ export type LoopKind = 'loop' | 'antipodal' | 'unresolved';
 export type WeakKind = 'tube' | 'wall' | 'gap';
 
 /**
+ * Why a measure below a limit belongs to no wall and no gap.
+ *
+ * - `'crease'`: faces run into each other, or end in a lip of an eighth of the limit
+ * - `'rounding'`: faces touch, to the rounding of coordinates in single precision
+ * - `'sliver'`: a triangle is so low that rounding alone decides where it faces
+ */
+export type CreaseKind = 'crease' | 'rounding' | 'sliver';
+
+/**
  * The bottleneck between two points.
  *
  * @experimental
@@ -585,20 +594,45 @@ export interface WeakPlace {
   faces: Uint32Array;
 }
 
+/**
+ * A connected place where measures are below a limit, but where no wall and no gap is. It does not
+ * fail.
+ */
+export interface Crease {
+  /** That of its thinnest point. */
+  kind: CreaseKind;
+  /** The sharp edges in it together, in model units; 0 where faces only touch. */
+  length: number;
+  /** In squared model units. */
+  area: number;
+  /** The least measure there, in model units: no thickness of anything. */
+  least: number;
+  /** The point that has it. */
+  thinnest: SurfacePoint;
+  /** The point of the surface across from it, in model units. */
+  opposite: [number, number, number];
+  /** Its vertices, in rising order, as of a weak place. */
+  vertices: Uint32Array;
+  /** Its faces, in rising order. */
+  faces: Uint32Array;
+}
+
 /** The answer to a check. */
 export interface PrintCheck {
-  /** Whether nothing fails. */
+  /** Whether nothing fails; creases do not. */
   passes: boolean;
   /** The share of the surface's area, in [0, 1], that is in places. */
   failingShare: number;
   /**
-   * From this scale of the shape on nothing fails: all measures grow with it. 1.12: it passes at 112% of
-   * its size; at most 1 where it passes as it is, and so far at least it may shrink. 0 where nothing is
-   * limited; infinite where something has no thickness at all.
+   * At this scale of the shape nothing fails, and all measures grow with it. 1.12: it passes at 112% of
+   * its size; at most 1 where it passes as it is, and so far at least it may shrink (1 where there are
+   * creases). 0 where nothing is limited; infinite where no scale was found, as of a blade.
    */
   passingScale: number;
   /** The worst first, in shares of their limits. */
   places: WeakPlace[];
+  /** The places that are thin, but fail by no wall and no gap: the longest first. */
+  creases: Crease[];
 }
 
 /**
