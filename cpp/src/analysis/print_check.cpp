@@ -203,13 +203,16 @@ struct SideCheck {
     }
     ExecutionContext quiet = context;
     quiet.onProgress = {};
-    // A smaller limit may make walls of creases and lips, but not often.
-    for (int round = 0; round < kMostRounds && thinnest > 0; ++round) {
-      const auto rest = wallsBelow(thinnest * (1 - kSinglePrecision), quiet);
+    // A smaller limit may make walls of creases and lips, but not often. Where faces touch, halves
+    // of it are tried.
+    double bound = limit;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const double passes = thinnest > rounding ? thinnest : bound / 2;
+      bound = passes * (1 - kSinglePrecision);
+      const auto rest = wallsBelow(bound, quiet);
       if (!rest) return std::nullopt;
-      const double next = rest->least();
-      if (!(next < kNoMeasure)) return scaleThatPasses(wanted, thinnest);
-      thinnest = next;
+      thinnest = rest->least();
+      if (!(thinnest < kNoMeasure)) return scaleThatPasses(wanted, passes);
     }
     return kNoMeasure;
   }
@@ -217,7 +220,8 @@ struct SideCheck {
   /// How much of a face that fails somewhere fails, up to 1, by `4^level` samples, one at least.
   double shareOf(Face face, const ThinMeasures& thin, const FacingSurface& by, int level) const {
     const auto [a, b, c] = mesh.faceVertices(face);
-    if (thin.values[a] < limit && thin.values[b] < limit && thin.values[c] < limit) return 1;
+    const bool allThin = thin.values[a] < limit && thin.values[b] < limit && thin.values[c] < limit;
+    if (&thin == &walls && allThin) return 1;
     const Vec3 corner = mesh.position(a);
     const int parts = 1 << level;
     const Vec3 u = (1.0 / parts) * (mesh.position(b) - corner),

@@ -85,6 +85,8 @@ class ThinKinds {
   /// The thickness of a wall at a vertex whose thickness is below the limit; infinite where it is a
   /// crease.
   double wallAt(Vertex vertex) const {
+    // At a sharp vertex its faces decide: they are as thin there.
+    if (values_[vertex] <= 0) return std::numeric_limits<double>::infinity();
     std::vector<Face> faces;
     for (Halfedge h = mesh_.outgoing(vertex); h != Halfedge::none;) {
       faces.push_back(SurfaceMesh::faceOf(h));

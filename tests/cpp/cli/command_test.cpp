@@ -267,6 +267,23 @@ TEST_F(Command, partsEndsWithFourWhereSomethingIsTooThin) {
   EXPECT_NE(words.output.find("of the surface; passes from "), std::string::npos) << words.output;
 }
 
+TEST_F(Command, creasesFailWhereTheyAreToCount) {
+  // A bar of three sides of 10: its edges have 60°.
+  const std::string bar =
+      write("bar.obj",
+            "v 0 0 0\nv 10 0 0\nv 5 8.66 0\nv 0 0 40\nv 10 0 40\nv 5 8.66 40\nf 1 3 2\nf 4 5 6\n"
+            "f 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 6 5\nf 3 1 4\nf 3 4 6\n");
+  const Outcome passes = run({"parts", bar, "--min-wall", "0.8"});
+  EXPECT_EQ(passes.exitCode, 0);
+  EXPECT_NE(passes.output.find("; 1 crease;"), std::string::npos) << passes.output;
+  const Outcome counted = run({"parts", bar, "--min-wall", "0.8", "--creases", "--json"});
+  EXPECT_EQ(counted.exitCode, 4);
+  const Json report = Json::parse(counted.output);
+  EXPECT_EQ(report["passes"], true);
+  EXPECT_EQ(report["creases"][0]["kind"], "crease");
+  EXPECT_NEAR(report["creases"][0]["length"].get<double>(), 120, 1e-9);
+}
+
 TEST_F(Command, scaleHeightAndUnits) {
   const std::string model = kData + "/prism.obj", glb = kData + "/prism_seams.glb";
   const auto info = [&](std::vector<std::string> arguments) {

@@ -327,7 +327,11 @@ TEST(PrintCheck, AStrokeThinnerThanTheLimitFailsThoughItsCornersAreCreases) {
   EXPECT_NEAR(thin.places[0].least, 0.25, 1e-9);
   // All of it is thin, whatever the angles.
   Shape strut = test::prism(test::regularPolygon(3, 0.3), 20, 1);
-  EXPECT_FALSE(check(strut.mesh(), walls(0.8)).passes());
+  const PrintCheck bar = check(strut.mesh(), walls(0.8));
+  EXPECT_FALSE(bar.passes());
+  EXPECT_GT(bar.passingScale, 0.8 / (0.3 / std::sqrt(3.0)) * (1 - 1e-6)) << "its inner circle";
+  for (double& x : strut.positions) x *= bar.passingScale;
+  EXPECT_TRUE(std::isinf(bar.passingScale) || check(strut.mesh(), walls(0.8)).passes());
   EXPECT_FALSE(check(test::moved(test::tetrahedron(), 0.01, 0, 0).mesh(), walls(0.8)).passes());
 }
 
