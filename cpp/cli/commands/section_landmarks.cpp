@@ -102,7 +102,8 @@ Result<std::vector<Landmark>> landmarksOf(const std::string& file, const io::Loa
   auto typed = readLandmarks(file);
   if (!typed) return typed.error();
   std::vector<Landmark> landmarks;
-  for (auto& [landmark, point, to] : typed.value()) {
+  for (TypedLandmark& one : typed.value()) {
+    Landmark& landmark = one.landmark;
     const auto place = [&](const TypedPoint& meant, SurfacePoint& found) -> std::optional<Error> {
       const auto there = surfacePoint(loaded, meant, model, preparing);
       if (there) {
@@ -113,9 +114,9 @@ Result<std::vector<Landmark>> landmarksOf(const std::string& file, const io::Loa
       error.message = landmark.name + ": " + error.message;
       return error;
     };
-    if (auto error = place(point, landmark.point)) return *std::move(error);
+    if (auto error = place(one.point, landmark.point)) return *std::move(error);
     if (landmark.how == MeasureKind::Distance) {
-      if (auto error = place(to, landmark.to)) return *std::move(error);
+      if (auto error = place(one.to, landmark.to)) return *std::move(error);
     }
     landmarks.push_back(std::move(landmark));
   }
