@@ -121,7 +121,7 @@ struct SideCheck {
             double least)
       : mesh(checked),
         surface(checked, options),
-        opposing(checked, {std::min(options.sharpAngle, kOpposingAngle), options.side}),
+        opposing(checked, {std::min(options.sharpRadians, kOpposingAngle), options.side}),
         kind(what),
         wanted(least),
         rounding(kSingleRounding * extentOf(checked)),
