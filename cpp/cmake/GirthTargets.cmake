@@ -36,10 +36,11 @@ function(girth_precompile target)
                       <memory> <optional> <span> <string> <string_view> <thread> <utility> <variant>
                       <vector> ${ARGN})
   # Without -fpch-preprocess ccache cannot see what a precompiled header was made of. Of a precompiled system header GCC
-  # 12 forgets that it is one, and sees overlaps in its strings that are not there (GCC bug 105651 again).
+  # 12 forgets that it is one, and sees overlaps in its strings that are not there (GCC bug 105651 again), and vectors
+  # that free what they never had.
   target_compile_options(
     ${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow
-                      -Wno-stringop-overread>)
+                      -Wno-stringop-overread -Wno-free-nonheap-object>)
 endfunction()
 
 # Compiles some sources of a target at a time, which share what they include; only while Girth itself is developed. What

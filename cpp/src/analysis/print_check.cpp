@@ -118,14 +118,14 @@ struct SideCheck {
   ThinMeasures walls, creases;
 
   SideCheck(const SurfaceMesh& checked, const ThicknessOptions& options, WeakKind what,
-            double least)
+            double wantedLeast)
       : mesh(checked),
         surface(checked, options),
         opposing(checked, {std::min(options.sharpRadians, kOpposingAngle), options.side}),
         kind(what),
-        wanted(least),
+        wanted(wantedLeast),
         rounding(kSingleRounding * extentOf(checked)),
-        limit(least - std::clamp(rounding, kSinglePrecision * least, 0.5 * least)) {}
+        limit(wanted - std::clamp(rounding, kSinglePrecision * wanted, 0.5 * wanted)) {}
 
   bool measureVertices(const ExecutionContext& context) {
     values.assign(mesh.vertexCount(), kNoMeasure);

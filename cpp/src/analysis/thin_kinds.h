@@ -175,7 +175,7 @@ class ThinKinds {
     double reach;
     Vec3 away;                      ///< from where faces meet, as a unit vector; or 0
     std::size_t left{kMostPoints};  ///< points that may still be measured
-    std::optional<Vec3> found;
+    std::optional<Vec3> found{};
   };
 
   /// The point of a face nearest to another, measured where that is within reach.
