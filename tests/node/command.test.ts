@@ -198,7 +198,7 @@ test.each(['info', 'igf', 'loop', 'tips', 'parts', 'field'])(
 
 /** Runs that find something too thin end with the code 4. */
 const checks = [
-  'parts torus.obj --unit mm --min-tube 300mm --min-wall 100mm --json',
+  'parts torus.obj --unit mm --min-tube 300mm --min-wall 100mm --creases --json',
   'parts torus.obj --unit mm --min-gap 100mm',
 ];
 
