@@ -11,7 +11,7 @@ project() {
   mkdir "$1"
   printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(mine LANGUAGES CXX)' \
     'file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/mine.cpp" "int main() {}\n")' \
-    "find_package(girth 0.1 REQUIRED $2)" 'add_executable(mine "${CMAKE_CURRENT_BINARY_DIR}/mine.cpp")' \
+    "find_package(girth 1.0 REQUIRED $2)" 'add_executable(mine "${CMAKE_CURRENT_BINARY_DIR}/mine.cpp")' \
     "target_link_libraries(mine PRIVATE $3)" > "$1/CMakeLists.txt"
 }
 configure() {
