@@ -174,7 +174,9 @@ test('the print check finds the command’s places, pictured and reported', asyn
   const asked: string[] = [];
   report.on('request', (request) => asked.push(request.url()));
   await report.setContent(await textOf(html));
-  expect(await report.locator('tbody tr').count()).toBe(Math.min(60, count));
+  expect(await report.locator('table').first().locator('tbody tr').count()).toBe(
+    Math.min(60, count),
+  );
   const drawn = await report
     .locator('img')
     .evaluateAll((images: HTMLImageElement[]) =>
@@ -245,7 +247,7 @@ test('every computed field by name, tips and parts as files', async () => {
 });
 
 // Spectra and distances of a whole surface take their time.
-test('beside the tips: heat maxima, extrema of the mean distance, thickness', async () => {
+test('beside the tips: heat maxima, extrema of the mean distance, shape diameter', async () => {
   await openExample('Octopus');
   const panel = await openPanel(page, 'tips');
   const tips = panel.getByRole('list', { name: 'Tips', exact: true }).getByRole('button');
@@ -294,7 +296,7 @@ test('beside the tips: heat maxima, extrema of the mean distance, thickness', as
   await expect.poll(camera).not.toBe(before);
   await picture(page, 'rivals-geoaverage.png');
 
-  await choice.selectOption('thickness');
+  await choice.selectOption('shape diameter');
   await expect.poll(() => page.locator('#field-name').inputValue()).toBe('sdf');
   expect(await rows.count()).toBe(0);
   await choice.selectOption('nothing');
