@@ -499,7 +499,7 @@ test('what the triangles make is not listed, and short handles are taken away an
   const clear = known.necks.filter((share) => share >= 0.01).length;
   expect(clear).toBeLessThan(all);
   expect(await necks.count()).toBe(clear);
-  await panel.getByText(/^Empty: by a hundredth of their length/).waitFor();
+  await panel.getByText(/^Empty: a hundredth of the length/).waitFor();
   await panel.locator('#neck-prominence').fill('0');
   await page.keyboard.press('Enter');
   expect(await necks.count()).toBe(all);
