@@ -40,7 +40,7 @@ expect 1 'Girth needs C++20: compile with -std=c++20' "$compiler" -std=c++17 REA
 # Examples of headers: each becomes a function, and one program calls them all.
 {
   printf '#include <%s>\n' algorithm iostream utility vector girth/girth.h girth/io/{load_mesh,save_field,save_mesh}.h
-  find "$prefix/include/girth" -name '*.h' | sort | xargs awk '
+  find "$prefix/include/girth" -name '*.h' -print0 | sort -z | xargs -0 awk '
     $1 == "///" && $2 == "\\code" { inside = 1; print "void example" n++ "([[maybe_unused]] const girth::SurfaceMesh& mesh) {"; next }
     $1 == "///" && $2 == "\\endcode" { inside = 0; print "}"; next }
     inside { sub(/^ *\/\/\/ ?/, ""); print }
