@@ -426,6 +426,55 @@ test('what was found is written as the command writes it, byte by byte', async (
   expect(mine.codes).toEqual(['USAGE', 'INVALID_POINT', 'USAGE', 'INVALID_POINT', 'USAGE']);
 });
 
+test('the tube of a narrowed prism: stations, the degree of the narrowing, files of both', async () => {
+  const found = await page.evaluate(async () => {
+    const kernel = await girth.createKernel({ threads: 1 });
+    const corners = 12;
+    const lines: string[] = [];
+    for (let ring = 0; ring <= 24; ring++) {
+      const away = Math.abs(ring - 12) / 4;
+      const radius = away < 1 ? 1 - (1 + Math.cos(Math.PI * away)) / 4 : 1;
+      for (let i = 0; i < corners; i++) {
+        const angle = (2 * Math.PI * i) / corners;
+        lines.push(`v ${radius * Math.cos(angle)} ${radius * Math.sin(angle)} ${ring / 2}`);
+      }
+    }
+    const at = (ring: number, i: number) => ring * corners + (i % corners) + 1;
+    for (let ring = 0; ring < 24; ring++) {
+      for (let i = 0; i < corners; i++) {
+        lines.push(`f ${at(ring, i)} ${at(ring, i + 1)} ${at(ring + 1, i + 1)} ${at(ring + 1, i)}`);
+      }
+    }
+    const mesh = await kernel.load(girth.obj(lines.join('\n'), 'tube.obj'));
+    const tubes = await mesh.tubes({ ends: [0, 24 * corners], reference: 'mean' });
+    const csv = new TextDecoder().decode(await mesh.write(tubes, 'csv'));
+    const json = JSON.parse(new TextDecoder().decode(await mesh.write(tubes, 'json'))) as object;
+    const { code } = await girth.refusal(mesh.tubes({ leastDegree: 0 }));
+    const rough = await girth.refusal(mesh.tubes({ reference: 'both' as never }));
+    kernel.dispose();
+    return { tubes, csv, json, codes: [code, rough.code] };
+  });
+  const [place] = found.tubes.places;
+  expect(found.tubes.branches).toMatchObject([{ component: 0, ends: true, open: true }]);
+  expect(found.tubes.branches[0]!.parent).toBeUndefined();
+  expect(found.tubes.others).toEqual([]);
+  expect(found.tubes.places.length).toBe(1);
+  expect(place!.change).toBe('narrowing');
+  expect(place!.degreeByDiameter).toBeCloseTo(0.5, 2);
+  expect(place!.girth).toBeCloseTo(place!.perimeter, 3);
+  expect(found.csv.split('\n').length).toBe(found.tubes.stations.length + 2);
+  expect(found.csv.split('\n')[0]).toMatch(/^number,branch,distance,equivalentDiameter,/);
+  expect(Object.keys(found.json)).toEqual([
+    'file',
+    'unit',
+    'branches',
+    'others',
+    'places',
+    'stations',
+  ]);
+  expect(found.codes).toEqual(['INVALID_OPTION', 'INVALID_OPTION']);
+});
+
 test('sections of a prism: planes at heights, through points, the widest; and measures at landmarks', async () => {
   const found = await page.evaluate(async () => {
     const kernel = await girth.createKernel({ threads: 1 });

@@ -230,6 +230,24 @@ def test_sections_are_those_of_the_command(command, model, tmp_path):
     assert through.sections[0].offset == mesh.vertices[20, 0]
 
 
+def test_tubes_are_those_of_the_command(command, model):
+    mesh = pygirth.load(model)
+    found = mesh.tubes(ends=[0, 20], spacing=0.05, girth=False)
+    mesh_size = float(np.ptp(mesh.vertices, axis=0).max())
+    words = ("--ends", "0,20", "--every", "0.05", "--no-girth")
+    wanted = command("tube", model, *words, as_json=True)
+    assert len(found.stations) == len(wanted["stations"])
+    assert [one.reason for one in found.others] == [one["reason"] for one in wanted["others"]]
+    for station, one in zip(found.stations, wanted["stations"]):
+        assert station.area == one["area"] and station.distance == one["distance"]
+        np.testing.assert_array_equal(station.centre, one["centre"])
+        assert np.isnan(station.girth) and station.distance < 3 * mesh_size
+    with pytest.raises(pygirth.InputError):
+        mesh.tubes(reference="both")
+    with pytest.raises(pygirth.GirthError):
+        mesh.tubes(least_degree=0)
+
+
 def test_measures_at_landmarks_have_their_names(model):
     mesh = pygirth.load(model)
     landmarks = [

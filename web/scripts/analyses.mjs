@@ -42,6 +42,7 @@ function readOnly(type) {
 function defaultOf(struct, { name, type, isEnumeration }) {
   const text = structOf(struct).members[name]?.byDefault ?? '';
   if (type === 'SurfacePoint') return undefined;
+  if (type.startsWith('std::vector<')) return { typescript: '[]', python: '()' };
   if (type === 'Vec3') return { typescript: `[${text}]`, python: `(${text})` };
   if (isEnumeration) {
     const word = wordsOf(type).words.find(({ enumerator }) =>
@@ -105,7 +106,7 @@ ${calls.join('')}}
 /** The results of analyses. */
 export type FoundByAnalysis = ${found.join(' | ')};
 
-/** The analyses: the list that only their results have, by their names. */
+/** The analyses: the list that only their results have, by the names of analyses. */
 export const analysisLists: Readonly<Record<keyof Analyses, string>> = { ${analyses()
     .map(({ name, found }) => `${name}: '${listOf(found)}'`)
     .join(', ')} };
@@ -115,12 +116,12 @@ export const analysisLists: Readonly<Record<keyof Analyses, string>> = { ${analy
 /** The public names of the results. */
 const namesFound = () => [...new Set(analyses().map(({ found }) => publicName(found)))];
 
-/** The list of a result. @param {string} found */
+/** The first list of a result. @param {string} found */
 function listOf(found) {
   const lists = Object.entries(structOf(found).members).filter(([, { type }]) =>
     type.startsWith('std::vector<'),
   );
-  if (lists.length !== 1) throw new Error(`${found} has ${lists.length} lists, not one`);
+  if (lists.length === 0) throw new Error(`${found} has no list`);
   return lists[0]?.[0];
 }
 

@@ -7,7 +7,7 @@ from typing import Any, Iterable, Mapping, Optional, Sequence
 
 from pygirth import _girth
 from pygirth._arguments import Progress, entry_of, one_of, real_number, running, three_numbers
-from pygirth.results import Distances, Sections, Section, NamedMeasures
+from pygirth.results import Distances, Sections, Section, NamedMeasures, Tubes
 
 
 class Analyses:
@@ -238,3 +238,62 @@ class Analyses:
             three_numbers(normal, "normal"),
         )
         return NamedMeasures(_girth.analyse("measureLandmarks", self._surface, options, running(threads, progress)))
+
+    def tubes(
+        self,
+        *,
+        ends: Iterable[Any] = (),
+        spacing: float = 0,
+        least_degree: float = 0.1,
+        reference: str = "taper",
+        girth: bool = True,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Tubes:
+        """Finds the centrelines of tubes, and measures what lies along them.
+
+        Parameters
+        ----------
+        ends : sequence of point, optional
+            Points at the ends: the vertex nearest to each lies on a boundary curve, or where a
+            tube ends closed; the first one of a component is where its centrelines begin. Of
+            components without any, the ends are boundary curves, but for holes shorter than a
+            tenth of the longest, and the places that are farthest away, where a closed branch
+            is longer than a tenth of the whole.
+        spacing : float, optional
+            The distance of stations, in model units. 0: an eighth of the median diameter, but
+            at most 1,000 stations a branch.
+        least_degree : float, optional
+            The least degree, by diameter, of narrowings and widenings that are listed, above 0.
+        reference : "taper" or "mean" or "beyond" or "before", optional
+            The diameter that each is compared with.
+        girth : bool, optional
+            Whether the exact girth is measured too, which takes longer.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        Tubes
+
+        Notes
+        -----
+        The surface is divided into branches by a harmonic function from one end to the others.
+        The line through the middles of its level curves is then moved until each of its points
+        is the centroid of the section perpendicular to it. Stations whose section is open, or
+        runs over another branch, are left out. Sections are exact on the surface; the line is
+        exact where it is straight or a circle, to the square of the spacing. Where a tube ends
+        closed, the line goes on as it bends before. Time: O(n) for each station and step, on
+        all threads, and one loop for each station; the same result for any number of threads.
+        Errors: VERTEX_OUT_OF_RANGE; INVALID_POINT; INVALID_OPTION (a spacing or degree that is
+        negative or not finite, one that makes more than 100,000 stations); LIMIT_EXCEEDED;
+        CANCELLED.
+        """
+        options = (
+            [self._point(one) for one in ends],
+            real_number(spacing, "spacing"),
+            real_number(least_degree, "least_degree"),
+            one_of(reference, "reference", ["taper", "mean", "beyond", "before"]),
+            bool(girth),
+        )
+        return Tubes(_girth.analyse("tubes", self._surface, options, running(threads, progress)))

@@ -8,7 +8,7 @@ import numpy as np
 
 from pygirth._result import Result
 
-__all__ = ["Distance", "Distances", "NamedMeasure", "NamedMeasures", "Sections"]
+__all__ = ["Distance", "Distances", "NamedMeasure", "NamedMeasures", "NoTubeComponent", "Sections", "TubeBranch", "TubePlace", "TubeStation", "Tubes"]
 
 
 class _Members(Result):
@@ -673,3 +673,214 @@ class Tip(_Members):
     apex_distance: float
     vertices: np.ndarray
     contour: list["Contour"]
+
+
+class TubeStation(_Members):
+    """The measures of a tube at one place of its centreline (web/docs/definitions.md, section
+    5).
+
+    Attributes
+    ----------
+    branch : int
+        The number of the branch.
+    distance : float
+        How far along the centrelines it is from where the first branch begins, in model units.
+    equivalent_diameter : float
+        The diameter of a circle with the section's area, in model units.
+    area : float
+        The area of the section perpendicular to the centreline, in squared model units.
+    perimeter : float
+        The length of its outline, in model units.
+    inscribed_diameter : float
+        The diameter of the largest circle within it, in model units.
+    least_width : float
+        The least distance of two parallel lines that hold it between them, in model units.
+    greatest_width : float
+        The greatest such distance, in model units.
+    girth : float
+        The exact girth at ``place``, in model units; NaN where no loop goes round, or where it
+        was not asked for.
+    curvature : float
+        One over the radius of the centreline's circle of curvature, per model unit.
+    torsion : float
+        How fast the centreline leaves the plane of that circle, in radians per model unit;
+        positive where it is screwed to the right. NaN where it is straight: a curvature below
+        0.001 divided by the equivalent diameter.
+    centre : ndarray of float64, shape (3,)
+        A point of the centreline: the centroid of the section.
+    direction : ndarray of float64, shape (3,)
+        Along the centreline, of length 1, away from the first end.
+    place : ndarray of float64, shape (3,)
+        The point of the outline that is nearest to the centre.
+    points : ndarray of float64, shape (k, 3)
+        The outline: the edges that it crosses in order; the last point equals the first.
+    """
+
+    branch: int
+    distance: float
+    equivalent_diameter: float
+    area: float
+    perimeter: float
+    inscribed_diameter: float
+    least_width: float
+    greatest_width: float
+    girth: float
+    curvature: float
+    torsion: float
+    centre: np.ndarray
+    direction: np.ndarray
+    place: np.ndarray
+    points: np.ndarray
+    _curve: tuple[np.ndarray, np.ndarray]
+
+
+class TubePlace(_Members):
+    """A place where a tube is narrower or wider than on both sides.
+
+    Attributes
+    ----------
+    change : str
+        Which of the two it is. ``"narrowing"``: Narrower than on both sides: a stenosis.
+        ``"widening"``: Wider than on both sides: a bulge, an aneurysm.
+    branch : int
+        The number of the branch.
+    distance : float
+        Where its section is least, or greatest, as `TubeStation.distance`.
+    before_distance : float
+        The side before: the nearest place from which the tube is no wider (no narrower) towards
+        its beginning, as `TubeStation.distance`.
+    beyond_distance : float
+        The side beyond: the same towards its end.
+    length : float
+        How long it is: the part along which the diameter differs from the taper between both
+        sides by more than half as much as at the place itself, in model units.
+    equivalent_diameter : float
+        The equivalent diameter at the place, in model units.
+    reference : float
+        The equivalent diameter that it is compared with, in model units.
+    degree_by_diameter : float
+        How much less (more) the equivalent diameter is, as a share of the reference.
+    degree_by_area : float
+        How much less (more) the area is, as a share of the area of the reference's circle.
+    before_diameter : float
+        The equivalent diameter at ``before_distance``, in model units.
+    beyond_diameter : float
+        The equivalent diameter at ``beyond_distance``, in model units.
+    area : float
+        The area of the section there, in squared model units.
+    perimeter : float
+        The length of its outline, in model units.
+    inscribed_diameter : float
+        The diameter of the largest circle within it, in model units.
+    least_width : float
+        The least distance of two parallel lines that hold it between them, in model units.
+    girth : float
+        The length of the neck that a narrowing's outline is drawn tight to (girth/necks.h); of
+        a widening the exact girth at the point of the outline nearest to the centre. In model
+        units; NaN where there is none, or where it was not asked for.
+    centre : ndarray of float64, shape (3,)
+        The centroid of the section.
+    points : ndarray of float64, shape (k, 3)
+        The outline, as `TubeStation.points`.
+    """
+
+    change: str
+    branch: int
+    distance: float
+    before_distance: float
+    beyond_distance: float
+    length: float
+    equivalent_diameter: float
+    reference: float
+    degree_by_diameter: float
+    degree_by_area: float
+    before_diameter: float
+    beyond_diameter: float
+    area: float
+    perimeter: float
+    inscribed_diameter: float
+    least_width: float
+    girth: float
+    centre: np.ndarray
+    points: np.ndarray
+    _curve: tuple[np.ndarray, np.ndarray]
+
+
+class TubeBranch(_Members):
+    """A tube between two ends or branchings.
+
+    Attributes
+    ----------
+    component : int
+        The component of the surface that it lies on.
+    parent : int, or None
+        The number of the branch that it leaves; none where it begins at an end.
+    ends : bool
+        Whether it leads to an end, and not to a branching.
+    open : bool
+        Whether that end is open: a boundary curve of the surface.
+    end : int, or None
+        A vertex of that end; none where it leads to a branching. -1 where there is none, or the
+        preparation made it.
+    first_distance : float
+        The distance of its first station, as `TubeStation.distance`.
+    last_distance : float
+        The distance of its last station.
+    median : float
+        The median of the equivalent diameters of its stations, in model units.
+    first_station : int
+        The numbers of its stations in the result, the first and the one behind the last.
+    end_station : int
+        See firstStation.
+    """
+
+    component: int
+    parent: Optional[int]
+    ends: bool
+    open: bool
+    end: Optional[int]
+    first_distance: float
+    last_distance: float
+    median: float
+    first_station: int
+    end_station: int
+
+
+class NoTubeComponent(_Members):
+    """A component that is no tube.
+
+    Attributes
+    ----------
+    component : int
+        Its number.
+    reason : str
+        The reason for it. ``"handle"``: It has a handle: centrelines would run in a circle.
+        ``"blunt"``: It is less than 2.5 times as long as wide, as a ball is. ``"flat"``: It is
+        more than four times as wide as thick, as a plate is. ``"coarse"``: No section
+        perpendicular to its line is closed.
+    """
+
+    component: int
+    reason: str
+
+
+class Tubes(_Members):
+    """The tubes of a surface.
+
+    Attributes
+    ----------
+    branches : list of TubeBranch
+        Each behind the one that it leaves.
+    others : list of NoTubeComponent
+        Components that are no tubes, in rising order.
+    places : list of TubePlace
+        Narrowings and widenings, by branch and by distance.
+    stations : list of TubeStation
+        The stations of all branches, by branch and by distance.
+    """
+
+    _entries = {"branches": "TubeBranch", "others": "NoTubeComponent", "places": "TubePlace", "stations": "TubeStation"}
+    branches: list["TubeBranch"]
+    others: list["NoTubeComponent"]
+    places: list["TubePlace"]
+    stations: list["TubeStation"]

@@ -13,6 +13,7 @@
 #include "analysis/convex_hull.h"
 #include "analysis/inscribed_circle.h"
 #include "analysis/plane_frame.h"
+#include "analysis/polygon.h"
 #include "girth/girth_solver.h"
 #include "girth/parallel.h"
 #include "girth/shape_diameter.h"
@@ -65,17 +66,6 @@ struct Outline {
   double area{0};  ///< signed: positive where it runs counter-clockwise
   Point2 moment;   ///< the centroid times that area
 };
-
-/// Whether a point lies inside a closed polygon: how many sides cross the ray to the right.
-bool isInside(const Point2& p, const std::vector<Point2>& polygon) {
-  bool isIn = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Point2 &a = polygon[j], &b = polygon[i];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) isIn = !isIn;
-  }
-  return isIn;
-}
 
 /// The faces that planes cross, those of plane k from starts[k] to starts[k + 1].
 struct CrossedFaces {

@@ -6,6 +6,7 @@
 
 #include "bytes/base64.h"
 #include "girth/study/write_study.h"
+#include "text/html_text.h"
 
 namespace girth::study {
 namespace {
@@ -30,44 +31,8 @@ dl{display:grid;grid-template-columns:max-content 1fr;gap:.2rem 1rem;margin:0}dt
 li{overflow-wrap:anywhere}
 )";
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
-/// With so many digits behind the point; a point in every locale.
-std::string decimal(double value, int digits) {
-  const double scale = std::pow(10.0, digits);
-  const long long whole = std::llround(std::fabs(value) * scale);
-  std::string text = std::to_string(whole);
-  if (digits > 0) {
-    const auto behind = static_cast<std::size_t>(digits);
-    if (text.size() <= behind) text.insert(0, behind + 1 - text.size(), '0');
-    text.insert(text.size() - behind, ".");
-  }
-  return (value < 0 && whole != 0 ? "-" : "") + text;
-}
-
 std::string picture(const std::string& png, const std::string& description) {
-  return "<img alt=\"" + escaped(description) + "\" src=\"data:image/png;base64," +
+  return "<img alt=\"" + io::escapedHtml(description) + "\" src=\"data:image/png;base64," +
          io::base64(png) + "\">";
 }
 
@@ -83,14 +48,14 @@ std::string table(const RetrievalStudy& study) {
       "<th scope=\"col\">Second tier</th><th scope=\"col\">E</th>"
       "<th scope=\"col\">E with query</th><th scope=\"col\">DCG</th></tr></thead><tbody>";
   for (const StudyDescriptor& descriptor : study.descriptors) {
-    text += "<tr><td>" + escaped(descriptor.name) + "</td>";
+    text += "<tr><td>" + io::escapedHtml(descriptor.name) + "</td>";
     for (const Value value : kValues) {
       const bool best = std::all_of(study.descriptors.begin(), study.descriptors.end(),
                                     [&](const StudyDescriptor& other) {
                                       return other.mean.*value <= descriptor.mean.*value;
                                     });
       text += best ? "<td class=\"best\">" : "<td>";
-      text += decimal(100 * descriptor.mean.*value, 2) + "%</td>";
+      text += io::decimalText(100 * descriptor.mean.*value, 2) + "%</td>";
     }
     text += "</tr>";
   }
@@ -106,23 +71,25 @@ std::string curves(const RetrievalStudy& study) {
   constexpr double kLeft = 50, kTop = 15, kWidth = 480, kHeight = 320, kLegend = 560;
   const double height =
       std::max(kHeight + 70, 40 + 20.0 * static_cast<double>(study.descriptors.size()));
-  const auto x = [&](double recall) { return decimal(kLeft + kWidth * recall, 1); };
-  const auto y = [&](double precision) { return decimal(kTop + kHeight * (1 - precision), 1); };
+  const auto x = [&](double recall) { return io::decimalText(kLeft + kWidth * recall, 1); };
+  const auto y = [&](double precision) {
+    return io::decimalText(kTop + kHeight * (1 - precision), 1);
+  };
   std::string text =
       "<svg role=\"img\" aria-label=\"Precision against recall; the numbers are in "
       "precision_recall.csv\" viewBox=\"0 0 820 " +
-      decimal(height, 0) + "\" width=\"820\">";
+      io::decimalText(height, 0) + "\" width=\"820\">";
   for (int i = 0; i <= 5; ++i) {
     const double at = i / 5.0;
     text += "<path d=\"M" + x(0) + " " + y(at) + "H" + x(1) + "M" + x(at) + " " + y(0) + "V" +
             y(1) + "\" fill=\"none\" stroke=\"var(--line)\"/>";
-    text += "<text x=\"" + decimal(kLeft - 8, 0) + "\" y=\"" +
-            decimal(kTop + kHeight * (1 - at) + 4, 1) + "\" text-anchor=\"end\">" + decimal(at, 1) +
-            "</text>";
-    text += "<text x=\"" + x(at) + "\" y=\"" + decimal(kTop + kHeight + 20, 1) +
-            "\" text-anchor=\"middle\">" + decimal(at, 1) + "</text>";
+    text += "<text x=\"" + io::decimalText(kLeft - 8, 0) + "\" y=\"" +
+            io::decimalText(kTop + kHeight * (1 - at) + 4, 1) + "\" text-anchor=\"end\">" +
+            io::decimalText(at, 1) + "</text>";
+    text += "<text x=\"" + x(at) + "\" y=\"" + io::decimalText(kTop + kHeight + 20, 1) +
+            "\" text-anchor=\"middle\">" + io::decimalText(at, 1) + "</text>";
   }
-  text += "<text x=\"" + x(0.5) + "\" y=\"" + decimal(kTop + kHeight + 42, 1) +
+  text += "<text x=\"" + x(0.5) + "\" y=\"" + io::decimalText(kTop + kHeight + 42, 1) +
           "\" text-anchor=\"middle\">recall</text><text transform=\"translate(12 " + y(0.5) +
           ") rotate(-90)\" text-anchor=\"middle\">precision</text>";
   for (std::size_t i = 0; i < study.descriptors.size(); ++i) {
@@ -136,11 +103,11 @@ std::string curves(const RetrievalStudy& study) {
                 y(precision[level]) + " ";
     }
     text += "<polyline points=\"" + points + "\" " + look + "/>";
-    const std::string row = decimal(kTop + 10 + 20 * static_cast<double>(i), 1);
-    text += "<path d=\"M" + decimal(kLegend, 0) + " " + row + "h36\" " + look + "/><text x=\"" +
-            decimal(kLegend + 44, 0) + "\" y=\"" +
-            decimal(kTop + 14 + 20 * static_cast<double>(i), 1) + "\">" +
-            escaped(study.descriptors[i].name) + "</text>";
+    const std::string row = io::decimalText(kTop + 10 + 20 * static_cast<double>(i), 1);
+    text += "<path d=\"M" + io::decimalText(kLegend, 0) + " " + row + "h36\" " + look +
+            "/><text x=\"" + io::decimalText(kLegend + 44, 0) + "\" y=\"" +
+            io::decimalText(kTop + 14 + 20 * static_cast<double>(i), 1) + "\">" +
+            io::escapedHtml(study.descriptors[i].name) + "</text>";
   }
   return text + "</svg>";
 }
@@ -148,8 +115,9 @@ std::string curves(const RetrievalStudy& study) {
 std::string cell(const RetrievalStudy& study, std::uint32_t model, const std::string& kind) {
   const StudyModel& shown = study.models[model];
   return "<figure class=\"" + kind + "\">" + picture(study.thumbnails[model], shown.name) +
-         "<figcaption>" + (kind == "wrong" ? "✕ " : "") + escaped(study.classes[shown.ofClass]) +
-         "<br>" + escaped(shown.name.substr(shown.name.find_last_of('/') + 1)) +
+         "<figcaption>" + (kind == "wrong" ? "✕ " : "") +
+         io::escapedHtml(study.classes[shown.ofClass]) + "<br>" +
+         io::escapedHtml(shown.name.substr(shown.name.find_last_of('/') + 1)) +
          "</figcaption></figure>";
 }
 
@@ -168,7 +136,7 @@ std::string sheet(const RetrievalStudy& study) {
 
 std::string listOf(const std::vector<std::string>& items) {
   std::string text = "<ul>";
-  for (const std::string& item : items) text += "<li>" + escaped(item) + "</li>";
+  for (const std::string& item : items) text += "<li>" + io::escapedHtml(item) + "</li>";
   return text + "</ul>";
 }
 
@@ -178,15 +146,16 @@ std::string studyHtml(const RetrievalStudy& study) {
   std::string text =
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width\"><title>" +
-      escaped(study.title) + "</title><style>" + kStyle + "</style></head><body>" + "<h1>" +
-      escaped(study.title) + "</h1><p class=\"soft\">" + std::to_string(study.models.size()) +
-      " models in " + std::to_string(study.classes.size()) + " classes</p>";
+      io::escapedHtml(study.title) + "</title><style>" + kStyle + "</style></head><body>" + "<h1>" +
+      io::escapedHtml(study.title) + "</h1><p class=\"soft\">" +
+      std::to_string(study.models.size()) + " models in " + std::to_string(study.classes.size()) +
+      " classes</p>";
   text += "<h2>How well models of a class find each other</h2>" + table(study) +
           "<p class=\"soft\">Shilane et al. 2004; the query is left out of its own ranking. "
           "<em>E with query</em> counts it as found.</p>";
   text += "<h2>Precision and recall</h2><div class=\"wide\">" + curves(study) + "</div>";
   if (!study.shown.empty()) {
-    text += "<h2>Queries and their nearest models, by " + escaped(study.shownDescriptor) +
+    text += "<h2>Queries and their nearest models, by " + io::escapedHtml(study.shownDescriptor) +
             "</h2><p class=\"soft\">The query stands first; a dashed frame and ✕ mark answers of "
             "another class.</p>" +
             sheet(study);
@@ -195,7 +164,7 @@ std::string studyHtml(const RetrievalStudy& study) {
   for (const StudyDescriptor& descriptor : study.descriptors) {
     if (descriptor.matrix.empty()) continue;
     matrices += "<figure>" + picture(descriptor.matrix, "Distances by " + descriptor.name) +
-                "<figcaption>" + escaped(descriptor.name) + "</figcaption></figure>";
+                "<figcaption>" + io::escapedHtml(descriptor.name) + "</figcaption></figure>";
   }
   if (!matrices.empty()) {
     text +=
@@ -211,7 +180,7 @@ std::string studyHtml(const RetrievalStudy& study) {
   if (!study.notes.empty()) text += "<h2>Notes</h2>" + listOf(study.notes);
   text += "<h2>How it was made</h2><dl>";
   for (const auto& [name, value] : study.settings) {
-    text += "<dt>" + escaped(name) + "</dt><dd>" + escaped(value) + "</dd>";
+    text += "<dt>" + io::escapedHtml(name) + "</dt><dd>" + io::escapedHtml(value) + "</dd>";
   }
   return text + "</dl></body></html>\n";
 }

@@ -82,6 +82,7 @@ TEST_F(ModelOptions, reachTheModelInEveryCommand) {
       {"necks", {"necks", prism}},
       {"handles", {"handles", prism}},
       {"section", {"section", prism}},
+      {"tube", {"tube", prism}},
       {"distance", {"distance", prism, "--between", pairs}},
       {"segments", {"segments", prism}},
       {"cut", {"cut", prism, "--necks", "-o", path("c.glb")}},

@@ -125,8 +125,8 @@ class ResultCsv {
   std::string text_;
 };
 
-/// The only list of described structs of a result, as CSV: a row for each, with its `number`
-/// from 0.
+/// The last list of described structs of a result, as CSV: a row for each, with its `number` from
+/// 0.
 template <Described Struct>
 std::string resultCsv(const LoadedMesh& loaded, const Struct& result) {
   std::string text;

@@ -15,6 +15,7 @@ interface Kind {
 }
 
 const kinds: readonly Kind[] = [
+  ...Object.entries(analysisLists).map(([name, member]) => ({ name, member })),
   { name: 'tips', member: 'arcs', by: 'linePoints' },
   { name: 'limbs', member: 'tipsWithoutLimb' },
   { name: 'necks', member: 'necks' },
@@ -25,7 +26,6 @@ const kinds: readonly Kind[] = [
   { name: 'parts', member: 'partOf', by: 'options' },
   { name: 'printCheck', member: 'passingScale', by: 'limits', hasFaces: true },
   { name: 'segments', member: 'labels', by: 'by', hasFaces: true },
-  ...Object.entries(analysisLists).map(([name, member]) => ({ name, member })),
 ];
 
 /** The kind of a result. Throws where it is none, or `besides` lacks what it is written by. */

@@ -2,7 +2,7 @@
 
 import type { WatchedOptions } from './call-options.js';
 import type { SurfacePoint } from './points.js';
-import type { Distances, Sections, Section, NamedMeasures, MeasureKind } from './results.js';
+import type { Distances, Sections, Section, NamedMeasures, Tubes, MeasureKind } from './results.js';
 
 /**
  * Where a surface has the most or the least of a measure.
@@ -19,6 +19,16 @@ export type SectionExtreme = 'widest' | 'narrowest';
  * - `'tape'`: one tape round all curves
  */
 export type SectionMeasure = 'perimeter' | 'tape';
+
+/**
+ * The diameter that a narrowing or widening is compared with.
+ *
+ * - `'taper'`: the diameter between both sides, in proportion to the distances
+ * - `'mean'`: the mean diameter of both sides
+ * - `'beyond'`: the diameter of the side that is farther along
+ * - `'before'`: the diameter of the side that is less far along
+ */
+export type TubeReference = 'taper' | 'mean' | 'beyond' | 'before';
 
 /** Two points of a surface. */
 export interface PointPair {
@@ -107,6 +117,30 @@ export interface ExtremeSectionOptions extends WatchedOptions {
   inscribed?: boolean;
 }
 
+/** How tubes are measured. */
+export interface TubesOptions extends WatchedOptions {
+  /**
+   * Points at the ends: the vertex nearest to each lies on a boundary curve, or where a tube ends
+   * closed; the first one of a component is where its centrelines begin. Of components without any, the
+   * ends are boundary curves, but for holes shorter than a tenth of the longest, and the places that are
+   * farthest away, where a closed branch is longer than a tenth of the whole. Default: [].
+   */
+  ends?: readonly SurfacePoint[];
+  /**
+   * The distance of stations, in model units. 0: an eighth of the median diameter, but at most 1,000
+   * stations a branch. Default: 0.
+   */
+  spacing?: number;
+  /**
+   * The least degree, by diameter, of narrowings and widenings that are listed, above 0. Default: 0.1.
+   */
+  leastDegree?: number;
+  /** The diameter that each is compared with. Default: 'taper'. */
+  reference?: TubeReference;
+  /** Whether the exact girth is measured too, which takes longer. Default: true. */
+  girth?: boolean;
+}
+
 /** Calls of a mesh, one for each analysis. */
 export interface Analyses {
   /**
@@ -162,16 +196,31 @@ export interface Analyses {
    * @experimental
    */
   measureLandmarks(options: LandmarksOptions): Promise<NamedMeasures>;
+  /**
+   * Finds the centrelines of tubes, and measures what lies along them. The surface is divided into
+   * branches by a harmonic function from one end to the others. The line through the middles of its
+   * level curves is then moved until each of its points is the centroid of the section perpendicular to
+   * it. Stations whose section is open, or runs over another branch, are left out. Sections are exact on
+   * the surface; the line is exact where it is straight or a circle, to the square of the spacing. Where
+   * a tube ends closed, the line goes on as it bends before. Time: O(n) for each station and step, on
+   * all threads, and one loop for each station; the same result for any number of threads. Errors:
+   * VERTEX_OUT_OF_RANGE; INVALID_POINT; INVALID_OPTION (a spacing or degree that is negative or not
+   * finite, one that makes more than 100,000 stations); LIMIT_EXCEEDED; CANCELLED.
+   *
+   * @experimental
+   */
+  tubes(options: TubesOptions): Promise<Tubes>;
 }
 
 /** The results of analyses. */
-export type FoundByAnalysis = Distances | Sections | Section | NamedMeasures;
+export type FoundByAnalysis = Distances | Sections | Section | NamedMeasures | Tubes;
 
-/** The analyses: the list that only their results have, by their names. */
+/** The analyses: the list that only their results have, by the names of analyses. */
 export const analysisLists: Readonly<Record<keyof Analyses, string>> = {
   distances: 'distances',
   sections: 'sections',
   sectionsThrough: 'sections',
   extremeSection: 'curves',
   measureLandmarks: 'measures',
+  tubes: 'branches',
 };

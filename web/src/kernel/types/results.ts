@@ -80,6 +80,24 @@ export type WeakKind = 'tube' | 'wall' | 'gap';
 export type CreaseKind = 'crease' | 'rounding' | 'sliver';
 
 /**
+ * Whether a tube is narrow or wide at a place.
+ *
+ * - `'narrowing'`: narrower than on both sides: a stenosis
+ * - `'widening'`: wider than on both sides: a bulge, an aneurysm
+ */
+export type TubeChange = 'narrowing' | 'widening';
+
+/**
+ * Why a component is no tube.
+ *
+ * - `'handle'`: it has a handle: centrelines would run in a circle
+ * - `'blunt'`: it is less than 2.5 times as long as wide, as a ball is
+ * - `'flat'`: it is more than four times as wide as thick, as a plate is
+ * - `'coarse'`: no section perpendicular to its line is closed
+ */
+export type NoTube = 'handle' | 'blunt' | 'flat' | 'coarse';
+
+/**
  * The bottleneck between two points.
  *
  * @experimental
@@ -829,4 +847,165 @@ export interface Tips {
   tips: Tip[];
   /** Longest first. */
   arcs: OpenArc[];
+}
+
+/**
+ * The measures of a tube at one place of its centreline (web/docs/definitions.md, section 5).
+ *
+ * @experimental
+ */
+export interface TubeStation {
+  /** The number of the branch. */
+  branch: number;
+  /** How far along the centrelines it is from where the first branch begins, in model units. */
+  distance: number;
+  /** The diameter of a circle with the section's area, in model units. */
+  equivalentDiameter: number;
+  /** The area of the section perpendicular to the centreline, in squared model units. */
+  area: number;
+  /** The length of its outline, in model units. */
+  perimeter: number;
+  /** The diameter of the largest circle within it, in model units. */
+  inscribedDiameter: number;
+  /** The least distance of two parallel lines that hold it between them, in model units. */
+  leastWidth: number;
+  /** The greatest such distance, in model units. */
+  greatestWidth: number;
+  /**
+   * The exact girth at `place`, in model units; NaN where no loop goes round, or where it was not asked
+   * for.
+   */
+  girth: number;
+  /** One over the radius of the centreline's circle of curvature, per model unit. */
+  curvature: number;
+  /**
+   * How fast the centreline leaves the plane of that circle, in radians per model unit; positive where
+   * it is screwed to the right. NaN where it is straight: a curvature below 0.001 divided by the
+   * equivalent diameter.
+   */
+  torsion: number;
+  /** A point of the centreline: the centroid of the section. */
+  centre: [number, number, number];
+  /** Along the centreline, of length 1, away from the first end. */
+  direction: [number, number, number];
+  /** The point of the outline that is nearest to the centre. */
+  place: SurfacePoint;
+  /** The outline: the edges that it crosses in order; the last point equals the first. */
+  points: SurfacePoint[];
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
+}
+
+/**
+ * A place where a tube is narrower or wider than on both sides.
+ *
+ * @experimental
+ */
+export interface TubePlace {
+  /** Which of the two it is. */
+  change: TubeChange;
+  /** The number of the branch. */
+  branch: number;
+  /** Where its section is least, or greatest, as `TubeStation.distance`. */
+  distance: number;
+  /**
+   * The side before: the nearest place from which the tube is no wider (no narrower) towards its
+   * beginning, as `TubeStation.distance`.
+   */
+  beforeDistance: number;
+  /** The side beyond: the same towards its end. */
+  beyondDistance: number;
+  /**
+   * How long it is: the part along which the diameter differs from the taper between both sides by more
+   * than half as much as at the place itself, in model units.
+   */
+  length: number;
+  /** The equivalent diameter at the place, in model units. */
+  equivalentDiameter: number;
+  /** The equivalent diameter that it is compared with, in model units. */
+  reference: number;
+  /** How much less (more) the equivalent diameter is, as a share of the reference. */
+  degreeByDiameter: number;
+  /** How much less (more) the area is, as a share of the area of the reference's circle. */
+  degreeByArea: number;
+  /** The equivalent diameter at `beforeDistance`, in model units. */
+  beforeDiameter: number;
+  /** The equivalent diameter at `beyondDistance`, in model units. */
+  beyondDiameter: number;
+  /** The area of the section there, in squared model units. */
+  area: number;
+  /** The length of its outline, in model units. */
+  perimeter: number;
+  /** The diameter of the largest circle within it, in model units. */
+  inscribedDiameter: number;
+  /** The least distance of two parallel lines that hold it between them, in model units. */
+  leastWidth: number;
+  /**
+   * The length of the neck that a narrowing's outline is drawn tight to (girth/necks.h); of a widening
+   * the exact girth at the point of the outline nearest to the centre. In model units; NaN where there
+   * is none, or where it was not asked for.
+   */
+  girth: number;
+  /** The centroid of the section. */
+  centre: [number, number, number];
+  /** The outline, as `TubeStation.points`. */
+  points: SurfacePoint[];
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
+}
+
+/**
+ * A tube between two ends or branchings.
+ *
+ * @experimental
+ */
+export interface TubeBranch {
+  /** The component of the surface that it lies on. */
+  component: number;
+  /** The number of the branch that it leaves; none where it begins at an end. */
+  parent?: number;
+  /** Whether it leads to an end, and not to a branching. */
+  ends: boolean;
+  /** Whether that end is open: a boundary curve of the surface. */
+  open: boolean;
+  /** A vertex of that end; none where it leads to a branching. None is -1. */
+  end?: number;
+  /** The distance of its first station, as `TubeStation.distance`. */
+  firstDistance: number;
+  /** The distance of its last station. */
+  lastDistance: number;
+  /** The median of the equivalent diameters of its stations, in model units. */
+  median: number;
+  /** The numbers of its stations in the result, the first and the one behind the last. */
+  firstStation: number;
+  /** See firstStation. */
+  endStation: number;
+}
+
+/**
+ * A component that is no tube.
+ *
+ * @experimental
+ */
+export interface NoTubeComponent {
+  /** Its number. */
+  component: number;
+  /** The reason for it. */
+  reason: NoTube;
+}
+
+/**
+ * The tubes of a surface.
+ *
+ * @experimental
+ */
+export interface Tubes {
+  /** Each behind the one that it leaves. */
+  branches: TubeBranch[];
+  /** Components that are no tubes, in rising order. */
+  others: NoTubeComponent[];
+  /** Narrowings and widenings, by branch and by distance. */
+  places: TubePlace[];
+  /** The stations of all branches, by branch and by distance. */
+  stations: TubeStation[];
 }

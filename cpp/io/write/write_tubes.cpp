@@ -1,0 +1,77 @@
+#include "girth/io/write_tubes.h"
+
+#include <cstddef>
+#include <vector>
+
+#include "girth/describe/tubes.h"
+#include "girth/io/result_csv.h"
+#include "girth/io/result_json.h"
+#include "write/glb_writer.h"
+#include "write/point_json.h"
+
+namespace girth::io {
+namespace {
+
+template <class Row>
+std::string rowsOf(const LoadedMesh& loaded, const std::vector<Row>& rows) {
+  ResultCsv<Row> csv(loaded, "number");
+  for (std::size_t i = 0; i < rows.size(); ++i) csv.add(rows[i], std::to_string(i));
+  return csv.text();
+}
+
+}  // namespace
+
+std::string tubesJson(const LoadedMesh& loaded, const Tubes& tubes, std::string_view file) {
+  return resultJson(loaded, tubes, file);
+}
+
+std::string tubesCsv(const LoadedMesh& loaded, const Tubes& tubes) {
+  return rowsOf(loaded, tubes.stations);
+}
+
+std::string tubePlacesCsv(const LoadedMesh& loaded, const Tubes& tubes) {
+  return rowsOf(loaded, tubes.places);
+}
+
+std::string tubesObj(const LoadedMesh& loaded, const Tubes& tubes) {
+  std::string text;
+  std::size_t count = 0;
+  for (std::size_t b = 0; b < tubes.branches.size(); ++b) {
+    const TubeBranch& branch = tubes.branches[b];
+    text += "o branch_" + std::to_string(b) + "\n";
+    for (Index i = branch.firstStation; i < branch.endStation; ++i) {
+      text += "v " + pointText(tubes.stations[i].centre, ' ') + "\n";
+    }
+    text += "l";
+    for (Index i = branch.firstStation; i < branch.endStation; ++i) {
+      text += " " + std::to_string(++count);
+    }
+    text += "\n";
+  }
+  for (std::size_t i = 0; i < tubes.places.size(); ++i) {
+    text += "o place_" + std::to_string(i) + "\n";
+    appendLine(loaded, tubes.places[i].points, true, count, text);
+  }
+  return text;
+}
+
+Result<std::string> tubesGlb(const LoadedMesh& loaded, const Tubes& tubes) {
+  GlbWriter writer;
+  const auto addAll = [&](const auto& rows, const std::string& name) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      addLine(loaded, rows[i].points,
+              JsonObject()
+                  .add("distance", rows[i].distance)
+                  .add("equivalentDiameter", rows[i].equivalentDiameter)
+                  .add("girth", rows[i].girth)
+                  .add("unit", loaded.unit)
+                  .text(),
+              name + std::to_string(i), writer);
+    }
+  };
+  addAll(tubes.stations, "station_");
+  addAll(tubes.places, "place_");
+  return writer.file(loaded.unit);
+}
+
+}  // namespace girth::io
