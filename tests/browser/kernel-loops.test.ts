@@ -472,7 +472,7 @@ test('the tube of a narrowed prism: stations, the degree of the narrowing, files
     'places',
     'stations',
   ]);
-  expect(found.codes).toEqual(['INVALID_OPTION', 'INVALID_OPTION']);
+  expect(found.codes).toEqual(['INVALID_OPTION', 'USAGE']);
 });
 
 test('sections of a prism: planes at heights, through points, the widest; and measures at landmarks', async () => {

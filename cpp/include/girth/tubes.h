@@ -44,7 +44,7 @@ struct TubeStation {
   double girth{0};
   /// The point of the outline that is nearest to the centre.
   SurfacePoint place;
-  /// One over the radius of the centreline's circle of curvature, per model unit.
+  /// The curvature of the centreline, in 1 / model units: one over the radius of its circle.
   double curvature{0};
   /// How fast the centreline leaves the plane of that circle, in radians per model unit; positive
   /// where it is screwed to the right. NaN where it is straight: a curvature below 0.001 divided by
@@ -80,12 +80,12 @@ struct TubePlace {
   TubeChange change{TubeChange::Narrowing};
   /// The number of the branch.
   Index branch{0};
-  /// Where its section is least, or greatest, as TubeStation::distance.
+  /// Where its section is least, or greatest, in model units, as TubeStation::distance.
   double distance{0};
   /// The side before: the nearest place from which the tube is no wider (no narrower) towards its
-  /// beginning, as TubeStation::distance.
+  /// beginning, in model units, as TubeStation::distance.
   double beforeDistance{0};
-  /// The side beyond: the same towards its end.
+  /// The side beyond, in model units: the same towards its end.
   double beyondDistance{0};
   /// How long it is: the part along which the diameter differs from the taper between both sides by
   /// more than half as much as at the place itself, in model units.
@@ -132,9 +132,9 @@ struct TubeBranch {
   bool open{false};
   /// A vertex of that end; none where it leads to a branching.
   Vertex end{Vertex::none};
-  /// The distance of its first station, as TubeStation::distance.
+  /// The distance of its first station, in model units, as TubeStation::distance.
   double firstDistance{0};
-  /// The distance of its last station.
+  /// The distance of its last station, in model units.
   double lastDistance{0};
   /// The median of the equivalent diameters of its stations, in model units.
   double median{0};

@@ -701,7 +701,7 @@ class TubeStation(_Members):
         The exact girth at ``place``, in model units; NaN where no loop goes round, or where it
         was not asked for.
     curvature : float
-        One over the radius of the centreline's circle of curvature, per model unit.
+        The curvature of the centreline, in 1 / model units: one over the radius of its circle.
     torsion : float
         How fast the centreline leaves the plane of that circle, in radians per model unit;
         positive where it is screwed to the right. NaN where it is straight: a curvature below
@@ -745,12 +745,12 @@ class TubePlace(_Members):
     branch : int
         The number of the branch.
     distance : float
-        Where its section is least, or greatest, as `TubeStation.distance`.
+        Where its section is least, or greatest, in model units, as `TubeStation.distance`.
     before_distance : float
         The side before: the nearest place from which the tube is no wider (no narrower) towards
-        its beginning, as `TubeStation.distance`.
+        its beginning, in model units, as `TubeStation.distance`.
     beyond_distance : float
-        The side beyond: the same towards its end.
+        The side beyond, in model units: the same towards its end.
     length : float
         How long it is: the part along which the diameter differs from the taper between both
         sides by more than half as much as at the place itself, in model units.
@@ -823,9 +823,9 @@ class TubeBranch(_Members):
         A vertex of that end; none where it leads to a branching. -1 where there is none, or the
         preparation made it.
     first_distance : float
-        The distance of its first station, as `TubeStation.distance`.
+        The distance of its first station, in model units, as `TubeStation.distance`.
     last_distance : float
-        The distance of its last station.
+        The distance of its last station, in model units.
     median : float
         The median of the equivalent diameters of its stations, in model units.
     first_station : int

@@ -54,7 +54,7 @@ class ModelOptions : public Command {
 
 TEST_F(ModelOptions, areThoseOfEveryCommandThatReadsAModel) {
   const Helps commands = readingCommands();
-  EXPECT_EQ(commands.size(), 21u);
+  EXPECT_EQ(commands.size(), 22u);
   for (const auto& [name, help] : commands) {
     for (const char* option :
          {"  --weld LENGTH ", "  --close-holes ", "  --component N ", "  --min-component SHARE ",

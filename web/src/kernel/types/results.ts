@@ -876,7 +876,7 @@ export interface TubeStation {
    * for.
    */
   girth: number;
-  /** One over the radius of the centreline's circle of curvature, per model unit. */
+  /** The curvature of the centreline, in 1 / model units: one over the radius of its circle. */
   curvature: number;
   /**
    * How fast the centreline leaves the plane of that circle, in radians per model unit; positive where
@@ -906,14 +906,14 @@ export interface TubePlace {
   change: TubeChange;
   /** The number of the branch. */
   branch: number;
-  /** Where its section is least, or greatest, as `TubeStation.distance`. */
+  /** Where its section is least, or greatest, in model units, as `TubeStation.distance`. */
   distance: number;
   /**
    * The side before: the nearest place from which the tube is no wider (no narrower) towards its
-   * beginning, as `TubeStation.distance`.
+   * beginning, in model units, as `TubeStation.distance`.
    */
   beforeDistance: number;
-  /** The side beyond: the same towards its end. */
+  /** The side beyond, in model units: the same towards its end. */
   beyondDistance: number;
   /**
    * How long it is: the part along which the diameter differs from the taper between both sides by more
@@ -970,9 +970,9 @@ export interface TubeBranch {
   open: boolean;
   /** A vertex of that end; none where it leads to a branching. None is -1. */
   end?: number;
-  /** The distance of its first station, as `TubeStation.distance`. */
+  /** The distance of its first station, in model units, as `TubeStation.distance`. */
   firstDistance: number;
-  /** The distance of its last station. */
+  /** The distance of its last station, in model units. */
   lastDistance: number;
   /** The median of the equivalent diameters of its stations, in model units. */
   median: number;
