@@ -161,9 +161,10 @@ Run add(OptionTable& table) {
   table.onValue(
       "--ends P1,P2,...",
       [options](const std::string& text) { return readPoints(text, options->ends); },
-      "Points at the ends of the tube, the first one where it begins, as in 12,88. Default: the "
-      "boundary "
-      "curves, the longest first, and the farthest places of closed branches");
+      "Points at the ends of the tube, the first one where it begins, as in 12,88; or only that "
+      "one. "
+      "Default: the boundary curves, the longest first, and the farthest places of closed "
+      "branches");
   table.add("--every LENGTH", options->spacing,
             "The distance of stations, as in 0.5mm. Default: an eighth of the median diameter");
   table

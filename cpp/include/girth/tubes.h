@@ -39,8 +39,8 @@ struct TubeStation {
   double leastWidth{0};
   /// The greatest such distance, in model units.
   double greatestWidth{0};
-  /// The exact girth at `place`, in model units; NaN where no loop goes round, or where it was not
-  /// asked for.
+  /// The exact girth at `place`, in model units; NaN where no loop goes round, as in caps (where it
+  /// is longer than the outline), or where it was not asked for.
   double girth{0};
   /// The point of the outline that is nearest to the centre.
   SurfacePoint place;
@@ -178,9 +178,10 @@ struct Tubes {
 /// How tubes are measured.
 struct TubesOptions {
   /// Points at the ends: the vertex nearest to each lies on a boundary curve, or where a tube ends
-  /// closed; the first one of a component is where its centrelines begin. Of components without
-  /// any, the ends are boundary curves, but for holes shorter than a tenth of the longest, and the
-  /// places that are farthest away, where a closed branch is longer than a tenth of the whole.
+  /// closed; the first one of a component is where its centrelines begin. Where a component has
+  /// fewer than two, the others are found: boundary curves, but for holes shorter than a tenth of
+  /// the longest, and the places that are farthest away, where a closed branch is longer than a
+  /// tenth of the whole.
   std::vector<SurfacePoint> ends;
   /// The distance of stations, in model units. 0: an eighth of the median diameter, but at most
   /// 1,000 stations a branch.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "girth/io/length_unit.h"
 #include "girth/io/write_tubes.h"
 #include "text/html_text.h"
 
@@ -28,6 +29,12 @@ th:first-child,td:first-child{text-align:left;padding-left:0}thead th{color:var(
 figure{margin:0}.pictures{display:flex;flex-wrap:wrap;gap:1.5rem}svg{max-width:100%;height:auto}
 svg text{fill:var(--soft);font:13px system-ui,sans-serif}svg .narrowing{fill:var(--narrow)}svg .widening{fill:var(--wide)}
 )";
+
+/// The symbol of the model's unit.
+std::string unitOf(const LoadedMesh& loaded) {
+  const LengthUnit* unit = findLengthUnit(loaded.unit);
+  return unit == nullptr ? loaded.unit : std::string(unit->symbol);
+}
 
 /// A length with four significant digits.
 std::string lengthText(double value) {
@@ -264,7 +271,7 @@ std::string tubesHtml(const LoadedMesh& loaded, const Tubes& tubes, std::string_
       std::to_string(tubes.places.size()) +
       (tubes.places.size() == 1 ? " narrowing or widening. " : " narrowings and widenings. ") +
       (loaded.unit.empty() ? "Lengths are in the units of the file."
-                           : "Lengths are in " + loaded.unit + ".") +
+                           : "Lengths are in " + unitOf(loaded) + ".") +
       "</p>";
   if (!tubes.branches.empty()) {
     // The longest side of the model is upright.

@@ -256,10 +256,10 @@ class Analyses:
         ----------
         ends : sequence of point, optional
             Points at the ends: the vertex nearest to each lies on a boundary curve, or where a
-            tube ends closed; the first one of a component is where its centrelines begin. Of
-            components without any, the ends are boundary curves, but for holes shorter than a
-            tenth of the longest, and the places that are farthest away, where a closed branch
-            is longer than a tenth of the whole.
+            tube ends closed; the first one of a component is where its centrelines begin. Where
+            a component has fewer than two, the others are found: boundary curves, but for holes
+            shorter than a tenth of the longest, and the places that are farthest away, where a
+            closed branch is longer than a tenth of the whole.
         spacing : float, optional
             The distance of stations, in model units. 0: an eighth of the median diameter, but
             at most 1,000 stations a branch.

@@ -698,8 +698,8 @@ class TubeStation(_Members):
     greatest_width : float
         The greatest such distance, in model units.
     girth : float
-        The exact girth at ``place``, in model units; NaN where no loop goes round, or where it
-        was not asked for.
+        The exact girth at ``place``, in model units; NaN where no loop goes round, as in caps
+        (where it is longer than the outline), or where it was not asked for.
     curvature : float
         The curvature of the centreline, in 1 / model units: one over the radius of its circle.
     torsion : float

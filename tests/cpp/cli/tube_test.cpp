@@ -79,7 +79,7 @@ TEST_F(Command, tubesAreWrittenInEachForm) {
   ASSERT_EQ(run({"tube", model, "--unit", "mm", "-o", path("t.html")}).exitCode, 0);
   const std::string page = contentOf(path("t.html"));
   EXPECT_TRUE(contains(page, "<!doctype html>"));
-  EXPECT_TRUE(contains(page, "Lengths are in millimetre"));
+  EXPECT_TRUE(contains(page, "Lengths are in mm."));
   EXPECT_TRUE(contains(page, "<td>narrowing</td>"));
   EXPECT_TRUE(contains(page, "0: 50.0%"));
   EXPECT_FALSE(contains(page, "http"));

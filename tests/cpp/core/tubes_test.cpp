@@ -245,6 +245,21 @@ TEST(Tubes, branchesMeet) {
   }
 }
 
+TEST(Tubes, oneEndIsWhereTheyBegin) {
+  for (const bool isCapped : {false, true}) {
+    const SurfaceMesh mesh = meshAlong({straight, constant}, isCapped, 60);
+    TubesOptions options;
+    options.girth = false;
+    for (const Index end : {Index{3}, 60 * kCorners + 3}) {
+      options.ends = {SurfacePoint::atVertex(Vertex{end})};
+      const Tubes found = findTubes(mesh, options).value();
+      ASSERT_EQ(found.branches.size(), 1u);
+      const bool isLow = found.stations.front().centre.z < found.stations.back().centre.z;
+      EXPECT_EQ(isLow, end == 3);
+    }
+  }
+}
+
 TEST(Tubes, whatIsNoTubeIsSaid) {
   const auto reasonOf = [](const SurfaceMesh& mesh) {
     const Tubes found = findTubes(mesh, {}).value();

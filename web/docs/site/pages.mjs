@@ -50,6 +50,7 @@ const placed = [
       document('how-to/check-a-print'),
       document('how-to/find-tips'),
       document('how-to/necks-and-handles', 'Necks, handles and cuts'),
+      document('how-to/measure-a-tube'),
       document('how-to/part-tubes-and-plates'),
       document('how-to/compare-shapes'),
       document('how-to/study-a-collection'),

@@ -51,7 +51,15 @@ class EndSearch {
           all.begin(), all.end(), [&](const TreeEnd& one) { return one.vertices == end.vertices; });
       if (isNew) all.push_back(std::move(end));
     }
-    for (const Index c : components()) isSettled_[c] = isGiven[c];
+    for (const Index c : components()) {
+      isStarted_[c] = isGiven[c];
+      isSettled_[c] = isGiven[c] && ends_[c].size() > 1;
+      if (!isStarted_[c] || isSettled_[c]) continue;
+      // One end is where the centrelines begin: the others are found.
+      for (const TreeEnd& opening : openings[c]) {
+        if (opening.vertices != ends_[c].front().vertices) ends_[c].push_back(opening);
+      }
+    }
   }
 
   /// Finds those of the other components: openings, and the farthest places.
@@ -61,7 +69,12 @@ class EndSearch {
       std::vector<TreeEnd>& all = ends_[c];
       double longest = 0;
       for (const TreeEnd& end : all) longest = std::max(longest, end.length);
-      std::erase_if(all, [&](const TreeEnd& end) { return end.length < kLeastOpening * longest; });
+      const auto begin = all.begin() + (isStarted_[c] ? 1 : 0);
+      all.erase(
+          std::remove_if(begin, all.end(),
+                         [&](const TreeEnd& end) { return end.length < kLeastOpening * longest; }),
+          all.end());
+      if (isStarted_[c]) continue;
       const auto first = std::find_if(all.begin(), all.end(), [&](const TreeEnd& end) {
         return end.length >= (1 - kEqual) * longest;
       });
@@ -91,6 +104,7 @@ class EndSearch {
   TreeEnd atVertex(Vertex v) const { return {mesh_.componentOf(v), {v}, 0, mesh_.position(v)}; }
 
   void findOpenings() {
+    isStarted_.assign(mesh_.componentCount(), false);
     isSettled_.assign(mesh_.componentCount(), false);
     std::vector<bool> isSeen(mesh_.vertexCount(), false);
     for (const Vertex first : mesh_.vertices()) {
@@ -176,6 +190,7 @@ class EndSearch {
   const SurfaceMesh& mesh_;
   const ExecutionContext context_;
   std::vector<std::vector<TreeEnd>> ends_;  // by component
+  std::vector<bool> isStarted_;             // by component: its first end was given
   std::vector<bool> isSettled_;             // by component: its ends were given
 };
 

@@ -29,6 +29,8 @@ constexpr double kMostWidth = 4;
 constexpr double kBendReach = 1;
 /// A line bends where its curvature times the diameter is more.
 constexpr double kStraight = 1e-3;
+/// Lengths that differ by less than this share are equal.
+constexpr double kEqualLength = 1e-9;
 /// The share of the work that is the lines; the rest is the girth.
 constexpr double kLinesShare = 0.6;
 
@@ -228,9 +230,12 @@ class TubeSearch {
   bool addGirths() {
     if (!options_.girth) return true;
     const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh_);
-    const auto girthAt = [&](GirthSolver& solver, const SurfacePoint& point) {
+    // A loop that goes round here is no longer than the outline.
+    const auto girthAt = [&](GirthSolver& solver, const SurfacePoint& point, double perimeter) {
       const auto value = solver.value(point, context_.ofOneThread());
-      return value && value.value().kind == LoopKind::Loop ? value.value().length : kNoValue;
+      const bool isRound = value && value.value().kind == LoopKind::Loop &&
+                           value.value().length <= perimeter * (1 + kEqualLength);
+      return isRound ? value.value().length : kNoValue;
     };
     const double area = mesh_.area();
     const std::size_t stations = found_.stations.size();
@@ -240,12 +245,14 @@ class TubeSearch {
           GirthSolver solver = SolverFactory::onUnfolding(unfolding);
           for (std::size_t i = begin; i < end; ++i) {
             if (i < stations) {
-              found_.stations[i].girth = girthAt(solver, found_.stations[i].place);
+              TubeStation& station = found_.stations[i];
+              station.girth = girthAt(solver, station.place, station.perimeter);
               continue;
             }
             TubePlace& place = found_.places[i - stations];
             if (place.change == TubeChange::Widening) {
-              place.girth = girthAt(solver, nearestOf(mesh_, place.points, place.centre));
+              place.girth =
+                  girthAt(solver, nearestOf(mesh_, place.points, place.centre), place.perimeter);
             } else if (const auto neck = loops::neckFrom(*unfolding, place.points, area)) {
               place.girth = loops::lengthOf(*unfolding, *neck);
             }

@@ -121,9 +121,10 @@ export interface ExtremeSectionOptions extends WatchedOptions {
 export interface TubesOptions extends WatchedOptions {
   /**
    * Points at the ends: the vertex nearest to each lies on a boundary curve, or where a tube ends
-   * closed; the first one of a component is where its centrelines begin. Of components without any, the
-   * ends are boundary curves, but for holes shorter than a tenth of the longest, and the places that are
-   * farthest away, where a closed branch is longer than a tenth of the whole. Default: [].
+   * closed; the first one of a component is where its centrelines begin. Where a component has fewer
+   * than two, the others are found: boundary curves, but for holes shorter than a tenth of the longest,
+   * and the places that are farthest away, where a closed branch is longer than a tenth of the whole.
+   * Default: [].
    */
   ends?: readonly SurfacePoint[];
   /**

@@ -872,8 +872,8 @@ export interface TubeStation {
   /** The greatest such distance, in model units. */
   greatestWidth: number;
   /**
-   * The exact girth at `place`, in model units; NaN where no loop goes round, or where it was not asked
-   * for.
+   * The exact girth at `place`, in model units; NaN where no loop goes round, as in caps (where it is
+   * longer than the outline), or where it was not asked for.
    */
   girth: number;
   /** The curvature of the centreline, in 1 / model units: one over the radius of its circle. */
