@@ -4,12 +4,14 @@
 #include <string>
 #include <string_view>
 
+#include "girth/export.h"
+
 namespace girth::io {
 
 /// Text with the signs of HTML replaced.
-std::string escapedHtml(std::string_view text);
+GIRTH_EXPORT std::string escapedHtml(std::string_view text);
 
 /// A number with so many digits behind the point, which is a point in every locale.
-std::string decimalText(double value, int digits);
+GIRTH_EXPORT std::string decimalText(double value, int digits);
 
 }  // namespace girth::io
