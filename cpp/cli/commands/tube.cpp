@@ -8,6 +8,9 @@
 #include "commands/common_options.h"
 #include "commands/measure.h"
 #include "commands/table.h"
+#include "girth/describe/tubes.h"
+#include "girth/io/result_csv.h"
+#include "girth/io/result_json.h"
 #include "girth/io/write_tubes.h"
 #include "girth/tubes.h"
 #include "model/computing.h"
@@ -71,30 +74,12 @@ std::string percent(double share) {
   return text;
 }
 
-const char* endWords(const TubeBranch& branch) {
-  if (!branch.ends) return "branching";
-  return branch.open ? "open end" : "closed end";
-}
-
 void printOthers(const Tubes& found) {
   for (std::size_t i = 0; i < found.others.size() && i < kMostRows; ++i) {
     const NoTubeComponent& other = found.others[i];
-    const char* reason = "";
-    switch (other.reason) {
-      case NoTube::Handle:
-        reason = "has a handle, so that a centreline would run in a circle: cut it first";
-        break;
-      case NoTube::Blunt:
-        reason = "is less than 2.5 times as long as wide";
-        break;
-      case NoTube::Flat:
-        reason = "is more than four times as wide as thick";
-        break;
-      case NoTube::Coarse:
-        reason = "has no closed section across its line";
-        break;
-    }
-    std::printf("  component %u is no tube: it %s\n", other.component, reason);
+    const std::string reason(io::noTubeWords(other.reason));
+    const char* remedy = other.reason == NoTube::Handle ? ": cut it first" : "";
+    std::printf("  component %u is no tube: it %s%s\n", other.component, reason.c_str(), remedy);
   }
   if (found.others.size() > kMostRows) {
     std::printf("  ... and %zu more are none\n", found.others.size() - kMostRows);
@@ -114,7 +99,7 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Tub
     const std::string parent = branch.parent == kNoIndex ? "-" : std::to_string(branch.parent);
     std::printf("  %6zu %6s %12s %12s %12s  %s\n", i, parent.c_str(),
                 readable(branch.firstDistance).c_str(), readable(branch.lastDistance).c_str(),
-                readable(branch.median).c_str(), endWords(branch));
+                readable(branch.median).c_str(), std::string(io::branchEndWords(branch)).c_str());
   }
   if (places > 0) {
     std::printf("  %6s %-9s %6s %12s %12s %12s %8s %8s %12s\n", "place", "kind", "branch", "at",
@@ -138,7 +123,7 @@ Run add(OptionTable& table) {
   const Writers<Tubes> writers{{{".csv",
                                  [options](const io::LoadedMesh& loaded, const Tubes& found) {
                                    return options->places ? io::tubePlacesCsv(loaded, found)
-                                                          : io::tubesCsv(loaded, found);
+                                                          : io::resultCsv(loaded, found);
                                  }},
                                 {".html",
                                  [options](const io::LoadedMesh& loaded, const Tubes& found) {
@@ -147,7 +132,7 @@ Run add(OptionTable& table) {
                                 {".obj", io::tubesObj},
                                 {".glb", io::tubesGlb}},
                                [options](const io::LoadedMesh& loaded, const Tubes& found) {
-                                 return io::tubesJson(loaded, found, options->model);
+                                 return io::resultJson(loaded, found, options->model);
                                },
                                [options](const io::LoadedMesh& loaded, const Tubes& found) {
                                  printText(options->model, loaded, found);

@@ -245,20 +245,6 @@ std::string plotOf(const Tubes& tubes, std::size_t number) {
   return text + "</svg></figure>";
 }
 
-std::string reasonText(NoTube reason) {
-  switch (reason) {
-    case NoTube::Handle:
-      return "has a handle, so that a centreline would run in a circle";
-    case NoTube::Blunt:
-      return "is less than 2.5 times as long as wide";
-    case NoTube::Flat:
-      return "is more than four times as wide as thick";
-    case NoTube::Coarse:
-      return "has no closed section across its line";
-  }
-  return "";
-}
-
 }  // namespace
 
 std::string tubesHtml(const LoadedMesh& loaded, const Tubes& tubes, std::string_view file) {
@@ -304,11 +290,8 @@ std::string tubesHtml(const LoadedMesh& loaded, const Tubes& tubes, std::string_
       const TubeBranch& branch = tubes.branches[b];
       rows.push_back({std::to_string(b),
                       branch.parent == kNoIndex ? "–" : std::to_string(branch.parent),
-                      !branch.ends  ? "branching"
-                      : branch.open ? "open end"
-                                    : "closed end",
-                      lengthText(branch.firstDistance), lengthText(branch.lastDistance),
-                      lengthText(branch.median)});
+                      std::string(branchEndWords(branch)), lengthText(branch.firstDistance),
+                      lengthText(branch.lastDistance), lengthText(branch.median)});
     }
     text += tableOf({"Number", "Leaves", "Leads to", "From", "To", "Median diameter"}, rows);
     for (std::size_t b = 0; b < tubes.branches.size(); ++b) {
@@ -320,7 +303,7 @@ std::string tubesHtml(const LoadedMesh& loaded, const Tubes& tubes, std::string_
     constexpr std::size_t kMostListed = 50;
     for (std::size_t i = 0; i < tubes.others.size() && i < kMostListed; ++i) {
       text += "<li>Component " + std::to_string(tubes.others[i].component) + " " +
-              reasonText(tubes.others[i].reason) + ".</li>";
+              std::string(noTubeWords(tubes.others[i].reason)) + ".</li>";
     }
     if (tubes.others.size() > kMostListed) {
       text += "<li>… and " + std::to_string(tubes.others.size() - kMostListed) + " more.</li>";

@@ -1,36 +1,40 @@
 #include "girth/io/write_tubes.h"
 
 #include <cstddef>
-#include <vector>
+#include <string>
 
 #include "girth/describe/tubes.h"
+#include "girth/io/json_text.h"
 #include "girth/io/result_csv.h"
-#include "girth/io/result_json.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
 
 namespace girth::io {
-namespace {
-
-template <class Row>
-std::string rowsOf(const LoadedMesh& loaded, const std::vector<Row>& rows) {
-  ResultCsv<Row> csv(loaded, "number");
-  for (std::size_t i = 0; i < rows.size(); ++i) csv.add(rows[i], std::to_string(i));
-  return csv.text();
+std::string_view noTubeWords(NoTube reason) {
+  switch (reason) {
+    case NoTube::Handle:
+      return "has a handle, so that a centreline would run in a circle";
+    case NoTube::Blunt:
+      return "is less than 2.5 times as long as wide";
+    case NoTube::Flat:
+      return "is more than four times as wide as thick";
+    case NoTube::Coarse:
+      return "has no closed section across its line";
+  }
+  return "";
 }
 
-}  // namespace
-
-std::string tubesJson(const LoadedMesh& loaded, const Tubes& tubes, std::string_view file) {
-  return resultJson(loaded, tubes, file);
-}
-
-std::string tubesCsv(const LoadedMesh& loaded, const Tubes& tubes) {
-  return rowsOf(loaded, tubes.stations);
+std::string_view branchEndWords(const TubeBranch& branch) {
+  if (!branch.ends) return "branching";
+  return branch.open ? "open end" : "closed end";
 }
 
 std::string tubePlacesCsv(const LoadedMesh& loaded, const Tubes& tubes) {
-  return rowsOf(loaded, tubes.places);
+  ResultCsv<TubePlace> csv(loaded, "number");
+  for (std::size_t i = 0; i < tubes.places.size(); ++i) {
+    csv.add(tubes.places[i], std::to_string(i));
+  }
+  return csv.text();
 }
 
 std::string tubesObj(const LoadedMesh& loaded, const Tubes& tubes) {

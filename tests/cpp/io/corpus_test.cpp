@@ -1,4 +1,4 @@
-// Files from everywhere: each becomes a surface or a coded error, and soon.
+// Files from everywhere: each becomes a surface or a coded error.
 #include <filesystem>
 
 #include "documents.h"

@@ -1,4 +1,4 @@
-// Tubes as a file's content: JSON, CSV, OBJ, GLB, or a report in HTML.
+// Tubes as a file's content: CSV, OBJ, GLB, or a report in HTML.
 #pragma once
 
 #include <string>
@@ -11,12 +11,7 @@
 
 namespace girth::io {
 
-/// One JSON object: `file`, `unit`, and the members of girth/describe/tubes.h.
-GIRTH_EXPORT std::string tubesJson(const LoadedMesh& loaded, const Tubes& tubes,
-                                   std::string_view file);
-
-/// A row for each station: its `number` from 0, and a column for each number and place.
-GIRTH_EXPORT std::string tubesCsv(const LoadedMesh& loaded, const Tubes& tubes);
+// JSON is `resultJson`, and CSV with a row for each station `resultCsv`, by girth/describe/tubes.h.
 
 /// A row for each narrowing and widening: its `number` from 0, and a column for each number and
 /// place.
@@ -31,6 +26,12 @@ GIRTH_EXPORT std::string tubesObj(const LoadedMesh& loaded, const Tubes& tubes);
 /// the `distance`, `equivalentDiameter`, `girth` and `unit`. glTF is in metres, as in fieldGlb. An
 /// empty scene where there is no tube. Error: LIMIT_EXCEEDED where the file would pass 4 GB.
 GIRTH_EXPORT Result<std::string> tubesGlb(const LoadedMesh& loaded, const Tubes& tubes);
+
+/// The reason in words, behind the name of the component: "is less than 2.5 times as long as wide".
+GIRTH_EXPORT std::string_view noTubeWords(NoTube reason);
+
+/// The place that a branch leads to: "open end", "closed end" or "branching".
+GIRTH_EXPORT std::string_view branchEndWords(const TubeBranch& branch);
 
 /// A page of its own: the outlines seen from two sides, diameters and girth along each branch as
 /// plots, the narrowings and widenings and the branches as tables. It fetches nothing.

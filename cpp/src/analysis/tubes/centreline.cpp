@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "analysis/median.h"
 #include "analysis/plane_frame.h"
 #include "analysis/polygon.h"
 #include "analysis/tubes/local_fit.h"
@@ -69,7 +70,7 @@ class LineSearch {
     if (!begin()) return std::vector<LinePoint>{};
     const double length = lengthOfLine(line_);
     // Between caps that nearly meet there is no line.
-    const bool hasCap = isClosedBelow_ || isClosedAbove_;
+    const bool hasCap = closed_.below || closed_.above;
     if (!(length > (hasCap ? radius_ : 0))) return std::vector<LinePoint>{};
     const double usual =
         std::clamp(length / (2 * radius_) * kStationsPerDiameter,
@@ -110,15 +111,14 @@ class LineSearch {
     const auto isInCap = [&](const TreeLevel& level, const TreeEnd& end) {
       return norm(level.centre - end.centre) < kCap * level.length / (2 * std::numbers::pi);
     };
-    isClosedBelow_ = branch.bottom != kNoIndex && !tree_.ends[branch.bottom].isOpen();
-    isClosedAbove_ = branch.top != kNoIndex && !tree_.ends[branch.top].isOpen();
-    if (isClosedBelow_) {
+    closed_ = tree_.closedEndsOf(branch);
+    if (closed_.below) {
       const TreeEnd& end = tree_.ends[branch.bottom];
       levels.erase(levels.begin(), std::find_if(levels.begin(), levels.end(), [&](const auto& one) {
                      return !isInCap(one, end);
                    }));
     }
-    if (isClosedAbove_) {
+    if (closed_.above) {
       const TreeEnd& end = tree_.ends[branch.top];
       levels.erase(std::find_if(levels.rbegin(), levels.rend(),
                                 [&](const auto& one) { return !isInCap(one, end); })
@@ -126,7 +126,7 @@ class LineSearch {
                    levels.end());
     }
     if (levels.empty()) return false;
-    if (branch.bottom != kNoIndex && !isClosedBelow_) {
+    if (branch.bottom != kNoIndex && !closed_.below) {
       line_.push_back(tree_.ends[branch.bottom].centre);
     }
     std::vector<double> lengths;
@@ -134,12 +134,10 @@ class LineSearch {
       line_.push_back(level.centre);
       lengths.push_back(level.length);
     }
-    if (branch.top != kNoIndex && !isClosedAbove_) {
+    if (branch.top != kNoIndex && !closed_.above) {
       line_.push_back(tree_.ends[branch.top].centre);
     }
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    radius_ = *middle / (2 * std::numbers::pi);
+    radius_ = medianOf(std::move(lengths)) / (2 * std::numbers::pi);
     return line_.size() > 1;
   }
 
@@ -208,8 +206,8 @@ class LineSearch {
     const auto reach =
         static_cast<std::size_t>(std::clamp(std::ceil(2 * radius_ / step), 4.0, 1e4));
     std::vector<LinePoint> before, behind;
-    if (isClosedBelow_) before = beyond(centres, fitAt(centres, steps, 0, reach), 0, -step);
-    if (isClosedAbove_) {
+    if (closed_.below) before = beyond(centres, fitAt(centres, steps, 0, reach), 0, -step);
+    if (closed_.above) {
       const std::size_t last = points.size() - 1;
       behind = beyond(centres, fitAt(centres, steps, last, reach), last, step);
     }
@@ -248,7 +246,7 @@ class LineSearch {
   const ExecutionContext& context_;
   std::vector<Vec3> line_;
   double radius_{0};
-  bool isClosedBelow_{false}, isClosedAbove_{false};
+  ClosedEnds closed_;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "analysis/tubes/tube_ends.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -11,7 +10,6 @@
 #include "infinity.h"
 #include "mesh/check_point.h"
 #include "mesh/vector.h"
-#include "no_value.h"
 
 namespace girth::tubes {
 namespace {
@@ -53,7 +51,8 @@ class EndSearch {
     }
     for (const Index c : components()) {
       isStarted_[c] = isGiven[c];
-      isSettled_[c] = isGiven[c] && ends_[c].size() > 1;
+      // Components with handles are no tubes, whatever their ends.
+      isSettled_[c] = mesh_.genus(c) > 0 || (isGiven[c] && ends_[c].size() > 1);
       if (!isStarted_[c] || isSettled_[c]) continue;
       // One end is where the centrelines begin: the others are found.
       for (const TreeEnd& opening : openings[c]) {
@@ -64,6 +63,9 @@ class EndSearch {
 
   /// Finds those of the other components: openings, and the farthest places.
   std::optional<Error> findOthers() {
+    if (std::find(isSettled_.begin(), isSettled_.end(), false) == isSettled_.end()) {
+      return std::nullopt;
+    }
     for (const Index c : components()) {
       if (isSettled_[c]) continue;
       std::vector<TreeEnd>& all = ends_[c];
@@ -145,7 +147,7 @@ class EndSearch {
   /// Closed components begin at one of two vertices that are far apart.
   std::optional<Error> findClosedStarts() {
     std::vector<bool> isClosed;
-    for (const auto& ends : ends_) isClosed.push_back(ends.empty());
+    for (const Index c : components()) isClosed.push_back(!isSettled_[c] && ends_[c].empty());
     if (std::none_of(isClosed.begin(), isClosed.end(), [](bool is) { return is; })) {
       return std::nullopt;
     }
@@ -191,7 +193,7 @@ class EndSearch {
   const ExecutionContext context_;
   std::vector<std::vector<TreeEnd>> ends_;  // by component
   std::vector<bool> isStarted_;             // by component: its first end was given
-  std::vector<bool> isSettled_;             // by component: its ends were given
+  std::vector<bool> isSettled_;             // by component: no end is looked for
 };
 
 /// The corner that has the greatest share of a point.

@@ -33,13 +33,12 @@ constexpr double kExact = 1e-6;
 class PlaceSearch {
  public:
   PlaceSearch(const SurfaceMesh& mesh, const TubeTree& tree, Index branch,
-              std::span<const TubeStation> stations, ClosedEnds closed, const TubesOptions& options,
-              TubeChange change)
+              std::span<const TubeStation> stations, const TubesOptions& options, TubeChange change)
       : mesh_(mesh),
         tree_(tree),
         branch_(branch),
         stations_(stations),
-        closed_(closed),
+        closed_(tree.closedEndsOf(tree.branches[branch])),
         options_(options),
         change_(change) {}
 
@@ -103,11 +102,11 @@ class PlaceSearch {
   }
 
   /// The section between two stations, a share of the way from the first.
-  std::optional<SectionCurve> between(std::size_t first, double share) const {
+  std::optional<SectionCurve> between(std::size_t first, double share, bool inscribed) const {
     const TubeStation &a = stations_[first], &b = stations_[first + 1];
     const Vec3 direction = (1 - share) * a.direction + share * b.direction;
     return sectionOf(mesh_, tree_, branch_, a.centre + share * (b.centre - a.centre),
-                     (1 / norm(direction)) * direction, true);
+                     (1 / norm(direction)) * direction, inscribed);
   }
 
   std::optional<TubePlace> placeAt(std::size_t i) const {
@@ -139,7 +138,7 @@ class PlaceSearch {
   void measure(std::size_t i, TubePlace& place) const {
     const auto areaAt = [&](double t) {
       const std::size_t first = t < 0 ? i - 1 : i;
-      const auto curve = between(first, t < 0 ? t + 1 : t);
+      const auto curve = between(first, t < 0 ? t + 1 : t, false);
       return curve ? sign() * curve->area : kInfinity;
     };
     const LeastValue least = leastBetween(areaAt, -1, 1, 0, kExact);
@@ -148,26 +147,22 @@ class PlaceSearch {
     const double share = t < 0 ? t + 1 : t;
     const TubeStation &a = stations_[first], &b = stations_[first + 1];
     place.distance = a.distance + share * (b.distance - a.distance);
-    auto curve = between(first, share);
-    if (!curve || !(sign() * curve->area <= sign() * stations_[i].area)) {
-      const TubeStation& station = stations_[i];
-      place.distance = station.distance;
-      place.equivalentDiameter = station.equivalentDiameter;
-      place.area = station.area;
-      place.perimeter = station.perimeter;
-      place.inscribedDiameter = station.inscribedDiameter;
-      place.leastWidth = station.leastWidth;
-      place.centre = station.centre;
-      place.points = station.points;
-      return;
+    const auto take = [&](auto&& from) {
+      place.equivalentDiameter = from.equivalentDiameter;
+      place.area = from.area;
+      place.perimeter = from.perimeter;
+      place.inscribedDiameter = from.inscribedDiameter;
+      place.leastWidth = from.leastWidth;
+      place.centre = from.centre;
+      place.points = std::forward<decltype(from)>(from).points;
+    };
+    auto curve = between(first, share, true);
+    if (curve && sign() * curve->area <= sign() * stations_[i].area) {
+      take(*std::move(curve));
+    } else {
+      place.distance = stations_[i].distance;
+      take(stations_[i]);
     }
-    place.equivalentDiameter = curve->equivalentDiameter;
-    place.area = curve->area;
-    place.perimeter = curve->perimeter;
-    place.inscribedDiameter = curve->inscribedDiameter;
-    place.leastWidth = curve->leastWidth;
-    place.centre = curve->centre;
-    place.points = std::move(curve->points);
   }
 
   double taperAt(const TubePlace& place, double distance) const {
@@ -247,10 +242,10 @@ void dropBetween(std::vector<TubePlace>& places, double median) {
 
 std::vector<TubePlace> findPlaces(const SurfaceMesh& mesh, const TubeTree& tree, Index treeBranch,
                                   std::span<const TubeStation> stations, double median,
-                                  ClosedEnds closed, const TubesOptions& options) {
+                                  const TubesOptions& options) {
   std::vector<TubePlace> all;
   for (const TubeChange change : {TubeChange::Narrowing, TubeChange::Widening}) {
-    const PlaceSearch search(mesh, tree, treeBranch, stations, closed, options, change);
+    const PlaceSearch search(mesh, tree, treeBranch, stations, options, change);
     for (TubePlace& place : search.run()) all.push_back(std::move(place));
   }
   dropBetween(all, median);

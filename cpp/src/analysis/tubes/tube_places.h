@@ -10,15 +10,11 @@
 
 namespace girth::tubes {
 
-/// Which ends of a branch are no side of a narrowing or widening: it ends closed there.
-struct ClosedEnds {
-  bool below{false}, above{false};
-};
-
 /// The narrowings and widenings of a branch, by distance; `girth` of each is NaN. `treeBranch`: its
-/// number in the tree. `stations`: its own, at rising distances; `median`: of their diameters.
+/// number in the tree. `stations`: its own, at rising distances; `median`: of their diameters. A
+/// cap of a closed end is no side of a place.
 std::vector<TubePlace> findPlaces(const SurfaceMesh& mesh, const TubeTree& tree, Index treeBranch,
                                   std::span<const TubeStation> stations, double median,
-                                  ClosedEnds closed, const TubesOptions& options);
+                                  const TubesOptions& options);
 
 }  // namespace girth::tubes

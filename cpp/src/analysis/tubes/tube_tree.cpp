@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "analysis/tubes/tube_ends.h"
@@ -29,14 +29,15 @@ class BranchSearch {
       : mesh_(mesh),
         values_(values),
         setOf_(mesh.vertexCount(), kNoIndex),
-        pieceOf_(mesh.vertexCount(), kNoIndex) {
+        pieceOf_(mesh.vertexCount(), kNoIndex),
+        pieceOfSet_(mesh.vertexCount(), kNoIndex),
+        lowest_(mesh.componentCount(), kNoIndex) {
     // The first end of each component is its lowest place.
     Index component = kNoIndex;
     for (Index i = 0; i < ends.size(); ++i) {
       const bool isLowest = ends[i].component != component;
       component = ends[i].component;
       if (isLowest) {
-        lowest_.resize(mesh.componentCount(), kNoIndex);
         lowest_[component] = i;
         continue;
       }
@@ -110,12 +111,10 @@ class BranchSearch {
   void place(Vertex v, Index piece) {
     pieceOf_[v] = piece;
     setOf_[v] = v;
-    if (pieceOfSet_.empty()) pieceOfSet_.assign(mesh_.vertexCount(), kNoIndex);
     pieceOfSet_[v] = piece;
   }
 
   void join(Vertex v) {
-    if (pieceOfSet_.empty()) pieceOfSet_.assign(mesh_.vertexCount(), kNoIndex);
     std::vector<Index> sets;
     const auto add = [&](Index set) {
       if (std::find(sets.begin(), sets.end(), set) == sets.end()) sets.push_back(set);

@@ -39,8 +39,18 @@ struct TreeBranch {
   std::vector<TreeLevel> levels;  ///< in rising order
 };
 
+/// Where a branch ends closed.
+struct ClosedEnds {
+  bool below{false}, above{false};
+};
+
 /// All branches of a surface.
 struct TubeTree {
+  ClosedEnds closedEndsOf(const TreeBranch& branch) const {
+    const auto isClosed = [&](Index end) { return end != kNoIndex && !ends[end].isOpen(); };
+    return {isClosed(branch.bottom), isClosed(branch.top)};
+  }
+
   std::vector<TreeEnd> ends;
   std::vector<TreeBranch> branches;   ///< by component, each behind its parent
   std::vector<Index> branchOfVertex;  ///< none for components that are no tubes

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "analysis/median.h"
 #include "analysis/tubes/centreline.h"
 #include "analysis/tubes/local_fit.h"
 #include "analysis/tubes/tube_places.h"
@@ -36,12 +37,6 @@ constexpr double kLinesShare = 0.6;
 
 Error cancelledTubes() {
   return makeError(ErrorCode::Cancelled, -1, "the search for tubes was cancelled");
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 SurfacePoint nearestOf(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points,
@@ -88,12 +83,6 @@ class TubeSearch {
   }
 
  private:
-  /// Whether a branch ends closed, below and above.
-  tubes::ClosedEnds closedEndsOf(const tubes::TreeBranch& branch) const {
-    const auto isClosed = [&](Index end) { return end != kNoIndex && !tree_.ends[end].isOpen(); };
-    return {isClosed(branch.bottom), isClosed(branch.top)};
-  }
-
   /// Adds the branches from `first` to before `last`, of one component, if it is a tube.
   void addComponent(Index component, std::size_t first, std::size_t last) {
     Tubes own;
@@ -104,7 +93,7 @@ class TubeSearch {
     bool isClosed = false;
     for (std::size_t b = first; b < last; ++b) {
       const tubes::TreeBranch& from = tree_.branches[b];
-      const auto [closedBelow, closedAbove] = closedEndsOf(from);
+      const auto [closedBelow, closedAbove] = tree_.closedEndsOf(from);
       isClosed = isClosed || closedBelow || closedAbove;
       // The branch that it leaves: the nearest one that has stations.
       Index parent = kNoIndex;
@@ -164,9 +153,8 @@ class TubeSearch {
           std::span<const TubeStation>(own.stations)
               .subspan(branch.firstStation, branch.endStation - branch.firstStation);
       const std::size_t b = treeBranches[i];
-      for (TubePlace& place :
-           tubes::findPlaces(mesh_, tree_, static_cast<Index>(b), stations, branch.median,
-                             closedEndsOf(tree_.branches[b]), options_)) {
+      for (TubePlace& place : tubes::findPlaces(mesh_, tree_, static_cast<Index>(b), stations,
+                                                branch.median, options_)) {
         place.branch = before + static_cast<Index>(i);
         found_.places.push_back(std::move(place));
       }
