@@ -216,6 +216,26 @@ describe('what was done', () => {
     await expect.poll(modelLine).toContain('2 open boundaries');
   });
 
+  test('cracks of one rounding are named with the distance that closes them, and sewn', async () => {
+    const corners = ['0 0 0', '0.3 0 0', '0 0.3 0', '0 0 0.3'];
+    const facets = ['0 2 1', '0 1 3', '0 3 2', '1 2 3'].map((facet, i) => {
+      const points = facet.split(' ').map((corner) => corners[Number(corner)]!);
+      const apart = points.map((point) =>
+        i === 3 ? point.replace('0.3', '0.30000000000000004') : point,
+      );
+      return `facet normal 0 0 0 outer loop vertex ${apart.join(' vertex ')} endloop endfacet`;
+    });
+    const content = ['solid crack', ...facets, 'endsolid crack'].join('\n');
+    await choose({ name: 'crack.stl', content });
+    await modelIs('crack.stl');
+    const sheet = await openDetails();
+    expect(await sheet.textContent()).toMatch(/A weld distance of 0\.0{16}\d\d closes the cracks/);
+    await sheet.getByRole('button', { name: 'Sew the cracks' }).click();
+    await expect.poll(modelLine).not.toContain('open boundaries');
+    await fieldComplete(viewer);
+    expect(await page.locator('#range-high').inputValue()).toBe('0.8196');
+  });
+
   test('remeshed: another count of faces, as near as the paper measures it; and back', async () => {
     await choose({ name: 'part.obj', content: box(10, 4, 4) });
     await modelIs('part.obj');

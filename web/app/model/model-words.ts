@@ -60,6 +60,12 @@ export function repairs(report: PreparationReport, format: LengthFormat): string
   say(report.addedVertices, ...vertices, 'made by cutting');
   say(report.crackVertices, ...vertices, 'at cracks, next to another one on the boundary');
   say(report.tJunctions, ...vertices, 'at cracks, within the edge of a neighbour');
+  if (report.crackWidth > 0) {
+    // Two digits, however small: a crack may be as wide as a rounding.
+    const decimals = Math.max(0, 1 - Math.floor(Math.log10(report.crackWidth * format.scale)));
+    const width = formatLength(report.crackWidth, { ...format, decimals });
+    lines.push(`a weld distance of ${width} closes the cracks`);
+  }
   const components = ['component', 'components'] as const;
   say(report.sliverComponents, ...components, 'of less than a millionth of the largest one’s area');
   say(report.doubledComponents, ...components, 'with nothing inside: two sheets on each other');
