@@ -34,7 +34,7 @@ val cut(const JobSurface& surface, const val& curves, bool cap) {
     val parts = val::array();
     const io::CutModel model = io::cutModel(whole.value());
     for (const SurfaceComponent& part : model.parts) {
-      parts.call<void>("push", cutPartOf(model, part));
+      parts.call<void>("push", cutPartOf(model, part).object());
     }
     val result = val::object();
     result.set("parts", parts);

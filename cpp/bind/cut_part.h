@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "boundary.h"
+#include "girth/describe/cut_surface.h"
 #include "girth/io/write_cut.h"
+#include "result_object.h"
 
 namespace girth::bind {
 
 /// `CutPart` of types.ts.
-inline emscripten::val cutPartOf(const io::CutModel& whole, const SurfaceComponent& part) {
+inline ResultObject cutPartOf(const io::CutModel& whole, const SurfaceComponent& part) {
   const SurfaceMesh& mesh = part.mesh;
   std::vector<double> positions;
   std::vector<Index> vertices;
@@ -29,15 +31,13 @@ inline emscripten::val cutPartOf(const io::CutModel& whole, const SurfaceCompone
     for (const Vertex v : mesh.faceVertices(f)) corners.push_back(v);
     faces.push_back(whole.faces[part.faces[f]]);
   }
-  emscripten::val result = emscripten::val::object();
-  result.set("positions", copyOut<double>("Float64Array", positions));
-  result.set("indices", copyOut<Index>("Uint32Array", corners));
-  result.set("vertices", copyOut<Index>("Uint32Array", vertices));
-  result.set("faces", copyOut<Index>("Uint32Array", faces));
-  result.set("area", mesh.area());
-  result.set("volume", io::partVolume(mesh));
-  result.set("genus", io::partGenus(mesh));
-  result.set("boundaryCount", mesh.boundaryCount(0));
+  ResultObject result;
+  result.addMembers(partMeasures(mesh));
+  result("positions", copyOut<double>("Float64Array", positions));
+  result("indices", copyOut<Index>("Uint32Array", corners));
+  result("vertices", copyOut<Index>("Uint32Array", vertices));
+  result("faces", copyOut<Index>("Uint32Array", faces));
+  result("boundaryCount", mesh.boundaryCount(0));
   return result;
 }
 

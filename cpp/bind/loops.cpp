@@ -56,20 +56,9 @@ val surfaceWithoutHandles(const JobSurface& surface, double length, double baseP
     const Result<HandleRemoval> made =
         removeHandles(surface.mesh(), length, handleOptions(basePoints), reportingTo(onProgress));
     if (!made) return toJs(made.error());
-    ResultObject removal;
-    removal.addMembers(made.value());
-    val removed = val::array();
-    for (const Handle& handle : made.value().removed) {
-      ResultObject entry;
-      entry("kind", handle.kind);
-      entry("length", handle.length);
-      entry("centre", handle.centre);
-      removed.call<void>("push", entry.object());
-    }
-    removal("removed", removed);
     val result = val::object();
     result.set("described", describe(made.value().mesh));
-    result.set("removal", removal.object());
+    result.set("removal", ResultObject().addMembers(made.value()).object());
     return result;
   });
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "boundary.h"
+#include "girth/describe/geodesic_solver.h"
 #include "girth/describe/path_profile.h"
-#include "girth/geodesic_solver.h"
 #include "job_surface.h"
 #include "surface_point.h"
 
@@ -26,9 +26,8 @@ val path(const JobSurface& surface, const val& from, const val& to) {
     if (!found) return toJs(found.error());
     const Vec3 a = positionOf(mesh, start), b = positionOf(mesh, end);
     ResultObject result(surface.drawn());
-    result("length", found.value().length);
+    result.addMembers(found.value());
     result("straight", std::hypot(b.x - a.x, b.y - a.y, b.z - a.z));
-    result("polyline", Line{found.value().points});
     return result.object();
   });
 }

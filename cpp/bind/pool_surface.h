@@ -16,8 +16,10 @@
 #include "boundary.h"
 #include "described.h"
 #include "girth/barcode.h"
+#include "girth/describe/girth_solver.h"
 #include "girth/girth_solver.h"
 #include "girth/vertex_function.h"
+#include "result_object.h"
 #include "surface_point.h"
 #include "vertex_functions.h"
 
@@ -132,15 +134,16 @@ class PoolSurface {
 
   /// `FoundLoop` of protocol.ts.
   val loopOf(const GirthLoop& girth) const {
-    const Vec3 q = positionOf(mesh_, girth.midpoint);
-    val result = val::object();
-    result.set("length", girth.length);
-    result.set("kind", std::string(toString(girth.kind)));
-    result.set("points", packedPoints(girth.points));
-    result.set("polyline", drawnPoints(polyline(mesh_, girth), origin_));
-    result.set("midpoint", tripleOf({q.x - origin_.x, q.y - origin_.y, q.z - origin_.z}));
-    result.set("angle", girth.angle);
-    return result;
+    ResultObject result({&mesh_, origin_});
+    visitMembers(girth, [&]<class Value>(const char* name, const Value& value) {
+      if constexpr (std::is_same_v<Value, Curve>) {
+        result(name, packedPoints(value.points));
+        result(name, Line{value.points});
+      } else {
+        result(name, value);
+      }
+    });
+    return result.object();
   }
 
   using ValuesAt = std::function<val(const std::vector<Index>&)>;

@@ -56,6 +56,12 @@ void ResultObject::operator()(const char* name, const Curve& curve) {
   (*this)(name, Line{curve.points});
 }
 
+void ResultObject::operator()(const char* name, const DrawnPoint& drawn) {
+  const auto& [x, y, z] = positionOf(*surface_.mesh, drawn.point);
+  const Vec3& origin = surface_.origin;
+  (*this)(name, Vec3{x - origin.x, y - origin.y, z - origin.z});
+}
+
 void ResultObject::operator()(const char*, const Line& line) {
   std::vector<Vec3> drawn;
   drawn.reserve(line.points.size());

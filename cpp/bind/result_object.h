@@ -54,6 +54,8 @@ class ResultObject {
   void operator()(const char* name, const Curve& curve);
   /// Its `polyline` alone.
   void operator()(const char* name, const Line& line);
+  /// x, y and z, relative to the origin.
+  void operator()(const char* name, const DrawnPoint& drawn);
   template <class Word>
   requires std::is_enum_v<Word>
   void operator()(const char* name, Word word) { (*this)(name, toString(word)); }

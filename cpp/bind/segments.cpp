@@ -11,6 +11,7 @@
 #include "cut_part.h"
 #include "girth/describe/necks.h"
 #include "girth/describe/parts.h"
+#include "girth/describe/segments.h"
 #include "girth/io/write_segments.h"
 #include "job_surface.h"
 
@@ -64,17 +65,10 @@ val segments(const JobSurface& surface, const val& fields, const val& options,
     val list = val::array();
     for (std::size_t i = 0; i < model.segments.size(); ++i) {
       const Segment& segment = model.segments[i];
-      val entry = cutPartOf(model.model, model.model.parts[i]);
-      entry.set("kind", std::string(toString(segment.kind())));
-      val shares = val::object();
-      for (const PartKind kind :
-           {PartKind::Body, PartKind::Tube, PartKind::Plate, PartKind::Unknown}) {
-        shares.set(std::string(toString(kind)),
-                   segment.kindAreas[static_cast<std::size_t>(kind)] / segment.area);
-      }
-      entry.set("shares", shares);
-      entry.set("tips", val::array(segment.tips));
-      list.call<void>("push", entry);
+      ResultObject entry = cutPartOf(model.model, model.model.parts[i]);
+      entry.addMembers(segment);
+      entry("tips", Numbers{segment.tips});
+      list.call<void>("push", entry.object());
     }
     val result = val::object();
     result.set("segments", list);

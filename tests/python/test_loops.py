@@ -129,6 +129,9 @@ def test_cuts_are_those_of_the_command(command, model):
     assert [part.area for part in cut] == [part["area"] for part in parts]
     assert [len(part.faces) for part in cut] == [part["faces"] for part in parts]
     assert [part.boundaries for part in cut] == [part["boundaries"] for part in parts]
+    assert [None if np.isnan(part.volume) else part.volume for part in cut] == [
+        part["volume"] for part in parts
+    ]
     assert sum(len(part.faces) for part in cut) == len(mesh.faces)  # along edges
     for number, part in enumerate(cut):
         assert (cut.labels[part.face_rows] == number).all()

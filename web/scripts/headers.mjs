@@ -52,7 +52,7 @@ function declarationOf(kind, name) {
 export function structOf(name) {
   const { file, comment, body } = declarationOf('struct', name);
   const members = body.matchAll(
-    /((?:^ {2}\/\/\/.*\n)*)^ {2}([\w:<>, ]+) (\w+)(?:\{(.*?)\}|(\(\) const)(?: \{.*\})?)?(?:;|(?<=\}))(?: *\/\/\/< (.*(?:\n {10,}\/\/\/< .*)*))?/gm,
+    /((?:^ {2}\/\/\/.*\n)*)^ {2}(?:GIRTH_EXPORT )?([\w:<>, ]+) (\w+)(?:\{(.*?)\}|(\(\) const)(?: \{.*\})?)?(?:;|(?<=\}))(?: *\/\/\/< (.*(?:\n {10,}\/\/\/< .*)*))?/gm,
   );
   return {
     file,

@@ -6,6 +6,7 @@ import { analyses, descriptions, isExperimental, read, structOf, wordsOf } from 
 const publicNames = /** @type {Record<string, string>} */ ({
   AxisStation: 'AxisLoop',
   CurveSide: 'LoopSide',
+  GeodesicPath: 'SurfacePath',
   GirthLoop: 'Loop',
   GirthSolver: 'Mesh',
   PersistentMaximum: 'Maximum',
@@ -16,13 +17,20 @@ export const publicName = (struct) => publicNames[struct] ?? struct;
 
 /** Names of generated types that `types.ts` extends by members of JavaScript alone, under the public name. */
 const extended = /** @type {Record<string, string>} */ ({
-  HandleRemoval: 'MeasuredRemoval',
+  Barcode: 'MeasuredBarcode',
+  Loop: 'MeasuredLoop',
   PathStation: 'MeasuredStation',
+  Segment: 'MeasuredSegment',
+  SurfacePath: 'MeasuredPath',
 });
+
+/** The generated type of a struct in TypeScript. @param {string} struct */
+const typeName = (struct) => extended[publicName(struct)] ?? publicName(struct);
 
 /** Classes of Python that have a name of their own. */
 const pythonNames = /** @type {Record<string, string>} */ ({
   ContourLine: 'Contour',
+  GeodesicPath: 'Path',
   PersistentMaximum: 'Maximum',
 });
 
@@ -118,8 +126,10 @@ function typed(all) {
         const [, entry = member.type] = /^std::vector<(\w+)>$/.exec(member.type) ?? [];
         const isList = known.has(entry) && entry !== member.type;
         const type = known.has(entry)
-          ? publicName(entry) + (isList ? '[]' : '')
-          : types[member.type];
+          ? typeName(entry) + (isList ? '[]' : '')
+          : member.how === 'drawnPoint'
+            ? '[number, number, number]'
+            : types[member.type];
         return { ...member, typescript: type ?? member.type, isEnumeration: type === undefined };
       }),
   }));
@@ -127,8 +137,9 @@ function typed(all) {
 
 /** @param {ReturnType<typeof results>[number]['members'][number]} member */
 function memberText({ how, name, type, comment, typescript }) {
+  const drawn = how === 'drawnPoint' ? ' x, y, z, relative to `MeshGeometry.origin`.' : '';
   const none = type === 'Vertex' && /\bnone\b/.test(comment) ? ' None is -1.' : '';
-  const words = commentOf(sentences(comment) + none);
+  const words = commentOf(sentences(comment) + none + drawn);
   if (how === 'line') return polyline;
   const optional = how === 'memberWhere' ? '?' : '';
   return `${words}${name}${optional}: ${typescript};\n${how === 'curve' ? polyline : ''}`;
@@ -147,9 +158,9 @@ export function resultsText() {
   const enumerations = all.flatMap(({ members }) =>
     members.filter(({ isEnumeration }) => isEnumeration).map(({ typescript }) => typescript),
   );
-  const interfaces = all.map(({ name, file, comment, members }) => {
+  const interfaces = all.map(({ struct, file, comment, members }) => {
     const paragraphs = [sentences(comment), ...(isExperimental(file) ? ['@experimental'] : [])];
-    return `${commentOf(...paragraphs)}export interface ${extended[name] ?? name} {\n${members.map(memberText).join('')}}\n`;
+    return `${commentOf(...paragraphs)}export interface ${typeName(struct)} {\n${members.map(memberText).join('')}}\n`;
   });
   return `// Made of the headers in cpp/include/girth by \`npm run build:tables\`: not to be edited.
 
@@ -170,6 +181,7 @@ const pythonTypes = /** @type {Record<string, [string, string?]>} */ ({
   GirthProfile: ['np.ndarray', 'ndarray of float64, shape (stations, 4)'],
   'std::string': ['str'],
   'std::string_view': ['str'],
+  KindShares: ['dict[str, float]', 'dict of str to float'],
   'std::vector<CurveSide>': ['np.ndarray', 'ndarray of float64, shape (sides, 2)'],
   'std::vector<double>': ['np.ndarray', 'ndarray of float64'],
   'std::vector<Index>': ['list[int]', 'list of int'],
@@ -185,9 +197,11 @@ export const snakeCase = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter
 function pythonMember({ how, name, type, comment, typescript, isEnumeration }) {
   const [, entry = ''] = /^std::vector<(\w+)>$/.exec(type) ?? [];
   const ofClass = pythonName(entry);
+  const isOfMembers = descriptions().some(({ struct }) => struct === type);
   const [annotation, words = annotation] = isEnumeration
     ? ['str']
-    : (pythonTypes[type] ?? (entry ? [`list["${ofClass}"]`, `list of ${ofClass}`] : []));
+    : (pythonTypes[type] ??
+      (entry ? [`list["${ofClass}"]`, `list of ${ofClass}`] : isOfMembers ? ['dict'] : []));
   if (/^(from|in|is|class|with|global|lambda)$/.test(name)) {
     throw new Error(`${name} is no name of a member in Python`);
   }

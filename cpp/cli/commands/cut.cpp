@@ -171,8 +171,9 @@ void printText(const Options& options, const io::LoadedMesh& loaded, std::size_t
   std::printf("  %4s %12s %12s %6s %10s\n", "part", "area", "faces", "genus", "boundaries");
   for (std::size_t i = 0; i < count; ++i) {
     const SurfaceMesh& mesh = model.parts[i].mesh;
-    std::printf("  %4zu %12s %12u %6u %10u\n", i, readable(mesh.area()).c_str(), mesh.faceCount(),
-                io::partGenus(mesh), mesh.boundaryCount(0));
+    const PartMeasures measures = partMeasures(mesh);
+    std::printf("  %4zu %12s %12u %6u %10u\n", i, readable(measures.area).c_str(), mesh.faceCount(),
+                measures.genus, measures.boundaries);
   }
   printUnits(loaded.unit);
 }

@@ -10,8 +10,9 @@
 
 #include "commands/common_options.h"
 #include "commands/table.h"
+#include "girth/describe/remove_handles.h"
 #include "girth/field_difference.h"
-#include "girth/io/json_text.h"
+#include "girth/io/result_json.h"
 #include "girth/io/write_mesh.h"
 #include "girth/remesh.h"
 #include "girth/remove_handles.h"
@@ -47,7 +48,7 @@ struct Options {
 void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMesh& mesh,
            const std::optional<HandleRemoval>& repaired, std::optional<double> difference) {
   if (options.json) {
-    io::JsonObject json;
+    io::ResultJson json;
     json.add("file", options.model)
         .add("facesBefore", loaded.report.inputFaces)
         .add("faces", mesh.faceCount())
@@ -58,10 +59,7 @@ void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMe
         .add("unit", loaded.unit)
         .add("output", options.output.path);
     if (repaired) {
-      json.add("genusBefore", repaired->genusBefore)
-          .add("genus", repaired->genusAfter)
-          .add("crossingFaces", repaired->crossingFaces)
-          .add("provenLength", repaired->provenLength);
+      json.addMembers(*repaired).add("genus", repaired->genusAfter);
     }
     if (difference) json.add("difference", *difference);
     std::puts(json.text().c_str());

@@ -36,10 +36,10 @@ struct Barcode {
   std::vector<SaddleBar> bars;
   /// The loop of each bar, where loops were asked for; otherwise empty.
   std::vector<GirthLoop> loops;
-  /// Persistence is known up to this.
+  /// Persistence is known up to this, in model units.
   double maxPersistence{0};
-  /// I_tau where no bar lasts longer than tau: twice the greatest distance, `Antipodal`, if all
-  /// saddles are listed; otherwise `Unresolved`, and no I_tau of that kind is less than its length.
+  /// I_tau where no bar lasts longer than tau: twice the greatest distance, antipodal, if all
+  /// saddles are listed; otherwise unresolved, and no I_tau of that kind is less than its length.
   GirthValue rest{0, LoopKind::Unresolved};
 
   /// I_tau(p) for a persistence of at least 0, read off the bars; `Unresolved`, with a lower bound,

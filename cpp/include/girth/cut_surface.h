@@ -104,4 +104,15 @@ GIRTH_EXPORT std::vector<SurfaceComponent> componentsOf(const SurfaceMesh& mesh)
 /// part. Its volume is the volume that they enclose together.
 GIRTH_EXPORT std::vector<SurfaceComponent> partsOf(const SurfaceMesh& mesh);
 
+/// Measures of a part of a surface.
+struct PartMeasures {
+  double area{0};       ///< in squared model units
+  double volume{0};     ///< enclosed, in cubed model units; NaN where the part has a boundary
+  Index genus{0};       ///< handles, those of its cavities among them
+  Index boundaries{0};  ///< boundary curves
+};
+
+/// The measures of a part. Its volume is negative where it faces inwards. O(n).
+GIRTH_EXPORT PartMeasures partMeasures(const SurfaceMesh& part);
+
 }  // namespace girth

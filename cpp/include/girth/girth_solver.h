@@ -52,9 +52,9 @@ struct GirthLoop {
   /// The loop from p round to p: p, the edges it crosses and vertices it passes in order, p.
   /// Between neighbours it is straight inside one face or along one edge. An antipodal loop runs to
   /// `midpoint` and back the same way, and there the midpoint is one of the points. Empty where
-  /// unresolved.
+  /// unresolved. Surfaces are cut along those of the kind Loop.
   std::vector<SurfacePoint> points;
-  /// q, the point farthest from p on the loop: length / 2 from p both ways, and both are shortest.
+  /// The loop's point farthest from p: length / 2 from p both ways, and both are shortest.
   SurfacePoint midpoint;
   /// Angle at p between the loop's two ends, inside the surface, on the smaller side, in radians.
   /// At least π: the loop is a closed geodesic. 0: antipodal.

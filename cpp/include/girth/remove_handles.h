@@ -13,6 +13,13 @@
 
 namespace girth {
 
+/// A handle or tunnel that was taken away: along its loop the surface was cut and closed.
+struct RemovedHandle {
+  HandleKind kind{HandleKind::Handle};  ///< which of the two it was
+  double length{0};                     ///< the length of its loop, in model units
+  Vec3 centre;                          ///< mean of the loop's points, in model units
+};
+
 /// A surface with fewer handles, and the account of what was done.
 struct HandleRemoval {
   SurfaceMesh mesh;  ///< with numbers of its own
@@ -27,6 +34,9 @@ struct HandleRemoval {
   /// No loop is left that is shorter than this, in model units, but those that touch the boundary:
   /// the length that was asked for, or less where the budget did not suffice to prove it.
   double provenLength{0};
+
+  /// The removed handles without their loops, in the order of the cuts.
+  GIRTH_EXPORT std::vector<RemovedHandle> account() const;
 };
 
 /// Takes away every handle and tunnel with a loop shorter than a length: the surface is cut along

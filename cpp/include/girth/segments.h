@@ -30,6 +30,14 @@ struct CutAtNecks {
 GIRTH_EXPORT Result<CutAtNecks> cutAtNecks(const SurfaceMesh& mesh, std::span<const Neck> necks,
                                            const ExecutionContext& context = {});
 
+/// Shares of a segment's area, from 0 to 1, by kind; they add up to 1.
+struct KindShares {
+  double body{0};     ///< the share of the body
+  double tube{0};     ///< the share of tubes
+  double plate{0};    ///< the share of plates
+  double unknown{0};  ///< the share without a kind
+};
+
 /// One segment of a body.
 struct GIRTH_EXPORT Segment {
   double area{0};  ///< in squared model units, without caps
@@ -41,6 +49,8 @@ struct GIRTH_EXPORT Segment {
 
   /// The kind that has the largest area in it; of equal ones the first.
   PartKind kind() const;
+  /// Shares of its area by kind.
+  KindShares shares() const;
 };
 
 /// The segments of a surface that was cut, one for each part. `parts`: those of `cut`, in

@@ -57,36 +57,12 @@ void addPart(const LoadedMesh& loaded, const CutModel& model, std::size_t number
 
 }  // namespace
 
-double partVolume(const SurfaceMesh& mesh) {
-  if (mesh.boundaryCount(0) > 0) return std::numeric_limits<double>::quiet_NaN();
-  double volume = 0;
-  const Vec3& o = mesh.position(Vertex(0));
-  for (const Face f : mesh.faces()) {
-    const auto corners = mesh.faceVertices(f);
-    const Vec3 &a = mesh.position(corners[0]), &b = mesh.position(corners[1]),
-               &c = mesh.position(corners[2]);
-    volume += ((a.x - o.x) * ((b.y - o.y) * (c.z - o.z) - (b.z - o.z) * (c.y - o.y)) +
-               (a.y - o.y) * ((b.z - o.z) * (c.x - o.x) - (b.x - o.x) * (c.z - o.z)) +
-               (a.z - o.z) * ((b.x - o.x) * (c.y - o.y) - (b.y - o.y) * (c.x - o.x))) /
-              6;
-  }
-  return volume;
-}
-
-Index partGenus(const SurfaceMesh& part) {
-  Index genus = 0;
-  for (Index c = 0; c < part.componentCount(); ++c) genus += part.genus(c);
-  return genus;
-}
-
-JsonObject partJson(const SurfaceMesh& part) {
-  return JsonObject()
-      .add("area", part.area())
-      .add("volume", partVolume(part))
-      .add("faces", part.faceCount())
-      .add("vertices", part.vertexCount())
-      .add("genus", partGenus(part))
-      .add("boundaries", part.boundaryCount(0));
+ResultJson partJson(const SurfaceMesh& part) {
+  ResultJson json;
+  json.addMembers(partMeasures(part))
+      .addValue("faces", part.faceCount())
+      .addValue("vertices", part.vertexCount());
+  return json;
 }
 
 CutModel cutModel(const CutSurface& cut) {

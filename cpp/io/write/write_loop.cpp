@@ -1,7 +1,9 @@
 #include "girth/io/write_loop.h"
 
 #include <cstddef>
+#include <type_traits>
 
+#include "girth/describe/girth_solver.h"
 #include "girth/io/result_json.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
@@ -15,14 +17,11 @@ std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::strin
       .addValue("vertex", loop.base.vertex() == Vertex::none
                               ? kNoIndex
                               : loaded.inputOfVertex[loop.base.vertex()])
-      .addValue("base", loop.base)
-      .addValue("length", loop.length)
-      .addValue("kind", loop.kind)
-      .addValue("angle", loop.angle)
       .addValue("unit", loaded.unit)
-      .addPersistence(persistence)
-      .addValue("midpoint", loop.midpoint);
-  if (withPoints) json.addValue("points", loop.points);
+      .addPersistence(persistence);
+  visitMembers(loop, [&]<class Value>(const char* name, const Value& value) {
+    if (!std::is_same_v<Value, Curve> || withPoints) json.addValue(name, value);
+  });
   return json.file();
 }
 

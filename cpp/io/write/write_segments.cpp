@@ -5,14 +5,13 @@
 #include <utility>
 
 #include "girth/describe/parts.h"
+#include "girth/describe/segments.h"
 #include "girth/io/result_json.h"
 #include "write/glb_writer.h"
 #include "write/part_json.h"
 
 namespace girth::io {
 namespace {
-
-constexpr std::array kKinds{PartKind::Body, PartKind::Tube, PartKind::Plate, PartKind::Unknown};
 
 /// Colours that most eyes tell apart (Okabe and Ito 2008), linear.
 using Colour = std::array<std::uint16_t, 3>;
@@ -27,14 +26,6 @@ constexpr std::array<Colour, 8> kColours{{{51858, 22721, 0},
 
 std::string_view kindText(const Segment& segment) { return toString(segment.kind()); }
 
-std::string sharesJson(const Segment& segment) {
-  JsonObject shares;
-  for (const PartKind kind : kKinds) {
-    shares.add(toString(kind), segment.kindAreas[static_cast<std::size_t>(kind)] / segment.area);
-  }
-  return shares.text();
-}
-
 std::string segmentJson(const LoadedMesh& loaded, const SegmentedModel& segmented,
                         std::size_t number) {
   const Segment& segment = segmented.segments[number];
@@ -43,11 +34,9 @@ std::string segmentJson(const LoadedMesh& loaded, const SegmentedModel& segmente
     tips.add(
         ResultJson(&loaded).addValue("tip", tip).addValue("apex", segmented.tips[tip].apex).text());
   }
-  return partJson(segmented.model.parts[number].mesh)
-      .add("kind", kindText(segment))
-      .addJson("shares", sharesJson(segment))
-      .addJson("tips", tips.text())
-      .text();
+  ResultJson json = partJson(segmented.model.parts[number].mesh);
+  json.addMembers(segment).addJson("tips", tips.text());
+  return json.text();
 }
 
 /// The numbers of a segment's tips.
@@ -119,10 +108,9 @@ Result<std::string> segmentsGlb(const LoadedMesh& loaded, const SegmentedModel& 
     writer.addColours(channels);
     writer.addTriangles(mesh);
     writer.endMesh(TINYGLTF_MODE_TRIANGLES,
-                   JsonObject()
-                       .add("unit", loaded.unit)
-                       .add("kind", kindText(segment))
-                       .addJson("shares", sharesJson(segment))
+                   ResultJson()
+                       .addValue("unit", loaded.unit)
+                       .addMembers(segment)
                        .addJson("tips", "[" + tipsText(segment, ",") + "]")
                        .text(),
                    "segment_" + std::to_string(i));

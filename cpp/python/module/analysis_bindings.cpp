@@ -15,6 +15,7 @@
 #include "girth/describe/parts.h"
 #include "girth/describe/persistent_maxima.h"
 #include "girth/describe/print_check.h"
+#include "girth/describe/segments.h"
 #include "girth/describe/tips.h"
 #include "girth/fields.h"
 #include "girth/io/write_segments.h"
@@ -127,21 +128,13 @@ py::tuple segmentsByNecks(const Shared& surface, double minProminence, double gi
       running, [surface, minProminence, options](const ExecutionContext& context) {
         return segmentsAtNecks(*surface, minProminence, options, context);
       });
-  constexpr PartKind kKinds[]{PartKind::Body, PartKind::Tube, PartKind::Plate, PartKind::Unknown};
   py::list segments;
   for (const Segment& segment : found.segments) {
-    py::dict shares;
-    for (const PartKind kind : kKinds) {
-      shares[py::str(std::string(toString(kind)))] =
-          segment.kindAreas[static_cast<std::size_t>(kind)] / segment.area;
-    }
     py::list apexes;
     for (const Index tip : segment.tips)
       apexes.append(rowOf(surface->loaded(), found.tips[tip].apex));
-    py::dict one;
+    py::dict one = dictOf(surface->loaded(), segment);
     one["area"] = segment.area;
-    one["kind"] = std::string(toString(segment.kind()));
-    one["shares"] = shares;
     one["tips"] = std::vector<Index>(segment.tips);
     one["apexes"] = apexes;
     segments.append(one);

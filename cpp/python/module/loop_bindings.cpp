@@ -52,25 +52,15 @@ py::tuple handlesOf(const Shared& surface, std::size_t basePoints, const Running
   return py::make_tuple(listOf(surface->loaded(), found.handles), found.unresolved);
 }
 
-/// (vertices, faces, account) of the surface without its short handles; the account lists kind,
-/// length and centre of what was removed.
+/// (vertices, faces, account) of the surface without its short handles.
 py::tuple withoutHandles(const Shared& surface, double length, std::size_t basePoints,
                          const Running& running) {
   const auto removal = compute<HandleRemoval>(
       running, [surface, length, basePoints](const ExecutionContext& context) {
         return removeHandles(surface->mesh(), length, {basePoints}, context);
       });
-  py::list removed;
-  for (const Handle& handle : removal.removed) {
-    py::dict one;
-    one["kind"] = std::string(toString(handle.kind));
-    one["length"] = handle.length;
-    one["centre"] = pointArray(handle.centre);
-    removed.append(one);
-  }
-  py::dict account = dictOf(surface->loaded(), removal);
-  account["removed"] = removed;
-  return py::make_tuple(positionArray(removal.mesh), triangleArray(removal.mesh), account);
+  return py::make_tuple(positionArray(removal.mesh), triangleArray(removal.mesh),
+                        dictOf(surface->loaded(), removal));
 }
 
 py::dict bottleneckOf(const Shared& surface, const Point& from, const Point& to,
@@ -160,13 +150,10 @@ py::tuple cutAlong(const Shared& surface, const std::vector<CurveArrays>& curves
       const Face whole = model.faces[face];
       rows.push_back(whole == Face::none ? kNoIndex : surface->loaded().inputOfFace[whole]);
     }
-    py::dict one;
+    py::dict one = dictOf(surface->loaded(), partMeasures(part.mesh));
     one["vertices"] = positionArray(part.mesh);
     one["faces"] = triangleArray(part.mesh);
     one["face_rows"] = numberArray(rows);
-    one["area"] = part.mesh.area();
-    one["genus"] = io::partGenus(part.mesh);
-    one["boundaries"] = part.mesh.boundaryCount(0);
     parts.append(one);
   }
   return py::make_tuple(parts, numberArray(io::partOfFaces(surface->loaded(), model)));

@@ -99,6 +99,7 @@ class ResultDict {
   Array<double> valueOf(const SurfacePoint& point) const {
     return pointArray(positionOf(loaded_.mesh, point));
   }
+  Array<double> valueOf(const DrawnPoint& drawn) const { return valueOf(drawn.point); }
   Array<double> valueOf(std::span<const SurfacePoint> points) const {
     return placesOf(loaded_.mesh, points);
   }

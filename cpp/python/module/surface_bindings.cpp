@@ -299,18 +299,6 @@ py::tuple spectralFieldOf(const Shared& surface, const std::string& name,
                         found.method);
 }
 
-py::dict loopDict(const SurfaceMesh& mesh, const SurfacePoint& point, const GirthLoop& loop) {
-  py::dict result;
-  result["length"] = loop.length;
-  result["kind"] = std::string(toString(loop.kind));
-  result["angle"] = loop.angle;
-  result["base"] = pointArray(positionOf(mesh, point));
-  result["midpoint"] = pointArray(positionOf(mesh, loop.midpoint));
-  result["points"] = placesOf(mesh, loop.points);
-  result["curve"] = curveOf(loop.points);
-  return result;
-}
-
 py::dict loopAt(const Shared& surface, const Point& at, double persistence,
                 const Running& running) {
   const SurfacePoint point = pointOf(at);
@@ -318,29 +306,18 @@ py::dict loopAt(const Shared& surface, const Point& at, double persistence,
       compute<GirthLoop>(running, [surface, point, persistence](const ExecutionContext& context) {
         return surface->loop(point, persistence, context);
       });
-  return loopDict(surface->mesh(), point, loop);
+  return dictOf(surface->loaded(), loop);
 }
 
-/// (births, deaths, loops, rest, kind of the rest)
-py::tuple barcodeAt(const Shared& surface, const Point& at, double maxPersistence,
-                    std::size_t maxSaddles, bool loops, const Running& running) {
+py::dict barcodeAt(const Shared& surface, const Point& at, double maxPersistence,
+                   std::size_t maxSaddles, bool loops, const Running& running) {
   const SurfacePoint point = pointOf(at);
   const BarcodeOptions options{maxPersistence, maxSaddles, loops};
   const auto barcode =
       compute<Barcode>(running, [surface, point, options](const ExecutionContext& context) {
         return surface->barcode(point, options, context);
       });
-  Values births, deaths;
-  for (const SaddleBar& bar : barcode.bars) {
-    births.push_back(bar.birth);
-    deaths.push_back(bar.death);
-  }
-  py::list found;
-  for (const GirthLoop& loop : barcode.loops) {
-    found.append(loopDict(surface->mesh(), point, loop));
-  }
-  return py::make_tuple(arrayOf(std::move(births)), arrayOf(std::move(deaths)), found,
-                        barcode.rest.length, std::string(toString(barcode.rest.kind)));
+  return dictOf(surface->loaded(), barcode);
 }
 
 Array<double> distancesFrom(const Shared& surface, const std::vector<Point>& from, double radius,
@@ -353,15 +330,15 @@ Array<double> distancesFrom(const Shared& surface, const std::vector<Point>& fro
       }));
 }
 
-py::tuple pathBetween(const Shared& surface, const Point& from, const Point& to,
-                      const Running& running) {
+py::dict pathBetween(const Shared& surface, const Point& from, const Point& to,
+                     const Running& running) {
   const SurfacePoint start = pointOf(from);
   const SurfacePoint end = pointOf(to);
   const auto path =
       compute<GeodesicPath>(running, [surface, start, end](const ExecutionContext& context) {
         return surface->path(start, end, context);
       });
-  return py::make_tuple(path.length, placesOf(surface->mesh(), path.points));
+  return dictOf(surface->loaded(), path);
 }
 
 /// Vertices and faces of another mesh of the surface.

@@ -74,6 +74,27 @@ class Bottleneck(_Members):
     _curve: tuple[np.ndarray, np.ndarray]
 
 
+class PartMeasures(_Members):
+    """Measures of a part of a surface.
+
+    Attributes
+    ----------
+    area : float
+        In squared model units.
+    volume : float
+        Enclosed, in cubed model units; NaN where the part has a boundary.
+    genus : int
+        Handles, those of its cavities among them.
+    boundaries : int
+        Boundary curves.
+    """
+
+    area: float
+    volume: float
+    genus: int
+    boundaries: int
+
+
 class Distance(_Members):
     """The distance between two points.
 
@@ -113,6 +134,59 @@ class Distances(_Members):
 
     _entries = {"distances": "Distance"}
     distances: list["Distance"]
+
+
+class Path(_Members):
+    """A shortest path between two points of a surface.
+
+    Attributes
+    ----------
+    length : float
+        In model units; infinite where the points lie in different components.
+    points : ndarray of float64, shape (k, 3)
+        From the first point to the second: the edges crossed and vertices passed in order.
+        Between neighbours the path is straight inside one face or along one edge. Empty where
+        there is none.
+    """
+
+    length: float
+    points: np.ndarray
+
+
+class Loop(_Members):
+    """The shortest geodesic loop based at a point.
+
+    Attributes
+    ----------
+    base : ndarray of float64, shape (3,)
+        The point p where the loop starts and ends.
+    length : float
+        I(p), in model units; where unresolved, no more than I(p).
+    kind : str
+        How it came about. ``"loop"``: The frontier of the growing geodesic disk touched itself
+        head-on: a loop around the surface. ``"antipodal"``: The frontier vanished at one
+        farthest point without a loop before: the "loop" is out and back again.
+        ``"unresolved"``: The budget was met first. The length is a lower bound, and ``at_most``
+        one from above.
+    angle : float
+        Angle at p between the loop's two ends, inside the surface, on the smaller side, in
+        radians. At least π: the loop is a closed geodesic. 0: antipodal.
+    midpoint : ndarray of float64, shape (3,)
+        The loop's point farthest from p: length / 2 from p both ways, and both are shortest.
+    points : ndarray of float64, shape (k, 3)
+        The loop from p round to p: p, the edges it crosses and vertices it passes in order, p.
+        Between neighbours it is straight inside one face or along one edge. An antipodal loop
+        runs to ``midpoint`` and back the same way, and there the midpoint is one of the points.
+        Empty where unresolved. Surfaces are cut along those of the kind Loop.
+    """
+
+    base: np.ndarray
+    length: float
+    kind: str
+    angle: float
+    midpoint: np.ndarray
+    points: np.ndarray
+    _curve: tuple[np.ndarray, np.ndarray]
 
 
 class Handle(_Members):
@@ -500,6 +574,26 @@ class PrintCheck(_Members):
     creases: list["Crease"]
 
 
+class RemovedHandle(_Members):
+    """A handle or tunnel that was taken away: along its loop the surface was cut and closed.
+
+    Attributes
+    ----------
+    kind : str
+        Which of the two it was. ``"handle"``: Inside: it goes round the material. ``"tunnel"``:
+        Outside: it goes round a hole. ``"unknown"``: The component has no inside: it, or what
+        closes its holes, crosses it.
+    length : float
+        The length of its loop, in model units.
+    centre : ndarray of float64, shape (3,)
+        Mean of the loop's points, in model units.
+    """
+
+    kind: str
+    length: float
+    centre: np.ndarray
+
+
 class HandleRemoval(_Members):
     """A surface with fewer handles, and the account of what was done.
 
@@ -516,12 +610,16 @@ class HandleRemoval(_Members):
         No loop is left that is shorter than this, in model units, but those that touch the
         boundary: the length that was asked for, or less where the budget did not suffice to
         prove it.
+    removed : list of RemovedHandle
+        The removed handles without their loops, in the order of the cuts.
     """
 
+    _entries = {"removed": "RemovedHandle"}
     genus_before: int
     genus_after: int
     crossing_faces: int
     proven_length: float
+    removed: list["RemovedHandle"]
 
 
 class SectionCurve(_Members):
@@ -624,6 +722,23 @@ class Sections(_Members):
 
     _entries = {"sections": "Section"}
     sections: list["Section"]
+
+
+class Segment(_Members):
+    """One segment of a body.
+
+    Attributes
+    ----------
+    kind : str
+        The kind that has the largest area in it; of equal ones the first. ``"body"``: Thick.
+        ``"tube"``: Thin, and a short loop goes round it. ``"plate"``: Thin, but no short loop
+        goes round it. ``"unknown"``: Its girth or its shape diameter has no value.
+    shares : dict of str to float
+        Shares of its area by kind.
+    """
+
+    kind: str
+    shares: dict[str, float]
 
 
 class Contour(_Members):

@@ -354,7 +354,7 @@ class Mesh(Analyses, Fields):
             raise input_error("INVALID_OPTION", f"max_saddles is {most}", "choose 0 or more")
         longest = _not_negative(max_persistence, "max_persistence")
         found = self._surface.barcode(point, longest, most, bool(loops), running(1, None))
-        return Barcode(longest, found)
+        return Barcode(found)
 
     def _base(
         self,
@@ -868,7 +868,7 @@ class Mesh(Analyses, Fields):
         -------
         Path
         """
-        return Path(*self._surface.path(self._point(a), self._point(b), running(1, None)))
+        return Path(self._surface.path(self._point(a), self._point(b), running(1, None)))
 
     def remesh(
         self, n: int, *, method: str = "fitting", progress: Progress = None

@@ -250,32 +250,7 @@ class RefinedGirth(Girth):
         return polygons
 
 
-class Loop(Result):
-    """The shortest geodesic loop based at a point.
-
-    Attributes
-    ----------
-    length : float
-        The girth there, in model units.
-    kind : str
-        ``"loop"``, ``"antipodal"`` (out to the farthest point and back) or ``"unresolved"``.
-    base, midpoint : ndarray of float64, shape (3,)
-        Where it starts and ends, and its point farthest from there.
-    points : ndarray of float64, shape (k, 3)
-        The polyline from the base round to the base; empty where unresolved.
-    angle : float
-        Between the two ends at the base, in radians; π or more: a closed geodesic.
-    """
-
-    def __init__(self, found: dict) -> None:
-        self.length: float = found["length"]
-        self.kind: str = found["kind"]
-        self.base: np.ndarray = found["base"]
-        self.midpoint: np.ndarray = found["midpoint"]
-        self.points: np.ndarray = found["points"]
-        self.angle: float = found["angle"]
-        self._curve: tuple[np.ndarray, np.ndarray] = found["curve"]
-
+class Loop(_members.Loop):
     def _line(self) -> str:
         return f"{self.kind}, length {self.length:.6g}, {len(self.points)} points"
 
@@ -300,13 +275,14 @@ class Barcode(Result):
         ``"antipodal"`` or ``"unresolved"``: a lower bound.
     """
 
-    def __init__(self, max_persistence: float, found: tuple) -> None:
-        self.births: np.ndarray = found[0]
-        self.deaths: np.ndarray = found[1]
-        self.loops = [Loop(loop) for loop in found[2]]
-        self.rest: float = found[3]
-        self.rest_kind: str = found[4]
-        self.max_persistence = max_persistence
+    def __init__(self, found: dict) -> None:
+        bars = found["bars"]
+        self.births: np.ndarray = np.array([bar["birth"] for bar in bars], np.float64)
+        self.deaths: np.ndarray = np.array([bar["death"] for bar in bars], np.float64)
+        self.loops = [Loop(loop) for loop in found["loops"]]
+        self.max_persistence: float = found["max_persistence"]
+        self.rest: float = found["rest"]["length"]
+        self.rest_kind: str = found["rest"]["kind"]
 
     def __len__(self) -> int:
         return len(self.births)
@@ -336,21 +312,7 @@ class Barcode(Result):
         return f"{len(self)} saddles, up to the persistence {self.max_persistence:.4g}"
 
 
-class Path(Result):
-    """A shortest path between two points.
-
-    Attributes
-    ----------
-    length : float
-        In model units; infinite where the points lie in different components.
-    points : ndarray of float64, shape (k, 3)
-        The polyline; empty where there is none.
-    """
-
-    def __init__(self, length: float, points: np.ndarray) -> None:
-        self.length = length
-        self.points = points
-
+class Path(_members.Path):
     def _line(self) -> str:
         return f"length {self.length:.6g}, {len(self.points)} points"
 
@@ -421,24 +383,7 @@ class Handles(_Loops):
     _name = "handles"
 
 
-class RemovedHandle(Result):
-    """A handle or tunnel that was taken away: along its loop the surface was cut and closed.
-
-    Attributes
-    ----------
-    kind : str
-        As of `Handle`.
-    length : float
-        Of its loop, in model units.
-    centre : ndarray of float64, shape (3,)
-        Mean of the loop's points, in model units.
-    """
-
-    def __init__(self, found: dict) -> None:
-        self.kind: str = found["kind"]
-        self.length: float = found["length"]
-        self.centre: np.ndarray = found["centre"]
-
+class RemovedHandle(_members.RemovedHandle):
     def _line(self) -> str:
         return f"{self.kind}, length {self.length:.6g}"
 
@@ -446,15 +391,12 @@ class RemovedHandle(Result):
 class HandleRemoval(_members.HandleRemoval):
     __doc__ = f"""{_members.HandleRemoval.__doc__}mesh : Mesh
         The surface that is left, with vertices and faces of its own.
-    removed : list of RemovedHandle
-        In the order of the cuts.
     """
 
     mesh: "Mesh"
-    removed: list[RemovedHandle]
 
     def __init__(self, mesh: "Mesh", found: dict) -> None:
-        super().__init__({**found, "removed": [RemovedHandle(one) for one in found["removed"]]})
+        super().__init__(found)
         self.mesh = mesh
 
     def _line(self) -> str:
@@ -522,29 +464,18 @@ class AxisLoop(_members.AxisLoop):
         return f"distance {self.distance:.4g}, girth {self.girth:.6g}"
 
 
-class CutPart(Result):
-    """A part of a mesh that was cut.
-
-    Attributes
-    ----------
-    vertices : ndarray of float64, shape (n, 3)
-    faces : ndarray of int64, shape (m, 3)
+class CutPart(_members.PartMeasures):
+    __doc__ = f"""{_members.PartMeasures.__doc__}vertices : ndarray of float64, shape (n, 3)
         Both sides of a cut have vertices of their own.
+    faces : ndarray of int64, shape (m, 3)
+        Three rows of ``vertices`` each.
     face_rows : ndarray of int64, shape (m,)
         For each face the row of ``mesh.faces`` that it is a piece of; -1: of a cap.
-    area : float
-        In squared model units.
-    genus, boundaries : int
-        Its handles, and its boundary curves.
     """
 
-    def __init__(self, found: dict) -> None:
-        self.vertices: np.ndarray = found["vertices"]
-        self.faces: np.ndarray = found["faces"]
-        self.face_rows: np.ndarray = found["face_rows"]
-        self.area: float = found["area"]
-        self.genus: int = found["genus"]
-        self.boundaries: int = found["boundaries"]
+    vertices: np.ndarray
+    faces: np.ndarray
+    face_rows: np.ndarray
 
     def _line(self) -> str:
         return f"{len(self.faces)} faces, area {self.area:.6g}"
@@ -681,29 +612,21 @@ class Parts(Result):
         return f"{len(self)} parts ({', '.join(counts)})"
 
 
-class Segment(Result):
-    """What lies between necks.
-
-    Attributes
-    ----------
-    area : float
+class Segment(_members.Segment):
+    __doc__ = f"""{_members.Segment.__doc__}area : float
         In squared model units.
-    kind : str
-        What most of its area is: ``"body"``, ``"tube"``, ``"plate"`` or ``"unknown"``.
-    shares : dict of str to float
-        The share of its area that is of each kind.
     tips : list of int
         Numbers in ``mesh.tips()`` of those that end on it.
     apexes : ndarray of int64
         The apex of each of these; -1 where it was made by the preparation.
     """
 
+    area: float
+    tips: list[int]
+    apexes: np.ndarray
+
     def __init__(self, found: dict) -> None:
-        self.area: float = found["area"]
-        self.kind: str = found["kind"]
-        self.shares: dict[str, float] = found["shares"]
-        self.tips: list[int] = found["tips"]
-        self.apexes = np.array(found["apexes"], np.int64)
+        super().__init__({**found, "apexes": np.array(found["apexes"], np.int64)})
 
     def _line(self) -> str:
         return f"{self.kind}, area {self.area:.4g}, tips {self.tips}"

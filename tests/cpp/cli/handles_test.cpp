@@ -56,7 +56,13 @@ TEST_F(Command, handlesAreRemovedUpToALength) {
   EXPECT_EQ(kept["genus"], 1);
   EXPECT_EQ(kept["faces"], kept["facesBefore"]);
   EXPECT_EQ(kept["provenLength"], 2.9);
-  EXPECT_EQ(removed("31mm")["genus"], 0);
+  EXPECT_EQ(kept["removed"], Json::array());
+  Json made = removed("31mm");
+  EXPECT_EQ(made["genus"], 0);
+  EXPECT_EQ(made["genusAfter"], 0);
+  ASSERT_EQ(made["removed"].size(), 1u);
+  EXPECT_LT(made["removed"][0]["length"], 3.1);
+  EXPECT_EQ(made["removed"][0]["centre"].size(), 3u);
   EXPECT_EQ(Json::parse(run({"info", path("repaired.obj"), "--json"}).output)["genus"], Json({0}));
   EXPECT_TRUE(
       contains(run({"remesh", model, "--remove-handles", "4", "-o", path("repaired.obj")}).output,

@@ -634,7 +634,7 @@ TEST(WriteLoop, allFormats) {
   const std::string json = loopJson(loaded, loop, "sample.obj", true);
   EXPECT_TRUE(contains(
       json,
-      R"({"file":"sample.obj","vertex":2,"base":{"position":[1,0,0],"vertices":[2],"weights":[1]},"length":2.5,"kind":"loop","angle":1)"))
+      R"({"file":"sample.obj","vertex":2,"unit":"","base":{"position":[1,0,0],"vertices":[2],"weights":[1]},"length":2.5,"kind":"loop","angle":1)"))
       << json;
   EXPECT_TRUE(contains(json, R"("vertices":[2],"weights":[1]})")) << json;
   EXPECT_TRUE(contains(json, R"("weights":[0.75,0.25]})")) << json;

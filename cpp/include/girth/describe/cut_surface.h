@@ -12,4 +12,11 @@ constexpr auto describe(Members<CurveSide>) {
                               member("volume", &CurveSide::volume));
 }
 
+/// The members of a part's measures.
+constexpr auto describe(Members<PartMeasures>) {
+  return described<PartMeasures>(
+      member("area", &PartMeasures::area), member("volume", &PartMeasures::volume),
+      member("genus", &PartMeasures::genus), member("boundaries", &PartMeasures::boundaries));
+}
+
 }  // namespace girth

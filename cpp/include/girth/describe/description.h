@@ -23,6 +23,11 @@ struct Line {
   std::span<const SurfacePoint> points;  ///< in order
 };
 
+/// A point of which only the position counts.
+struct DrawnPoint {
+  SurfacePoint point;  ///< where it is
+};
+
 /// Places in a list.
 struct Numbers {
   std::span<const Index> places;  ///< in the order of the result
@@ -76,6 +81,12 @@ constexpr auto curve(const char* name, Points Struct::*which) {
 template <class Struct, class Points>
 constexpr auto line(const char* name, Points Struct::*which) {
   return Member{name, [which](const Struct& result) { return Line{result.*which}; }, which};
+}
+
+/// A point as a DrawnPoint.
+template <class Struct>
+constexpr auto drawnPoint(const char* name, SurfacePoint Struct::*which) {
+  return Member{name, [which](const Struct& result) { return DrawnPoint{result.*which}; }, which};
 }
 
 /// Places in another list.

@@ -6,15 +6,23 @@
 
 namespace girth {
 
-/// The members of the account of a removal. The surface and the loops, which lie on surfaces that
-/// are gone, are left to each output.
+/// The members of a removed handle.
+constexpr auto describe(Members<RemovedHandle>) {
+  return described<RemovedHandle>(member("kind", &RemovedHandle::kind),
+                                  member("length", &RemovedHandle::length),
+                                  member("centre", &RemovedHandle::centre));
+}
+
+/// The members of the account of a removal. The surface is left to each output. The loops have
+/// none, as they lie on surfaces that are gone.
 constexpr auto describe(Members<HandleRemoval>) {
   return described<HandleRemoval>(unwritten(&HandleRemoval::mesh),
                                   unwritten(&HandleRemoval::removed),
                                   member("genusBefore", &HandleRemoval::genusBefore),
                                   member("genusAfter", &HandleRemoval::genusAfter),
                                   member("crossingFaces", &HandleRemoval::crossingFaces),
-                                  member("provenLength", &HandleRemoval::provenLength));
+                                  member("provenLength", &HandleRemoval::provenLength),
+                                  member("removed", &HandleRemoval::account));
 }
 
 }  // namespace girth

@@ -70,6 +70,7 @@ class GIRTH_EXPORT ResultJson : public JsonObject {
   std::string textOf(const std::vector<SurfacePoint>& points) const;
   std::string textOf(const Curve& curve) const;
   std::string textOf(const Line& line) const;
+  std::string textOf(const DrawnPoint& drawn) const { return textOf(drawn.point); }
   std::string textOf(Vertex vertex) const;
   std::string textOf(const std::vector<Vertex>& vertices) const;
   std::string textOf(const std::vector<Face>& faces) const;

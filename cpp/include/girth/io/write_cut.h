@@ -22,13 +22,6 @@ struct CutModel {
 /// The parts of a surface that was cut, each with its cavities (partsOf).
 GIRTH_EXPORT CutModel cutModel(const CutSurface& cut);
 
-/// The volume that a part encloses, in cubed model units: negative where it faces inwards, NaN
-/// where it has a boundary.
-GIRTH_EXPORT double partVolume(const SurfaceMesh& part);
-
-/// The handles of a part, those of its cavities among them.
-GIRTH_EXPORT Index partGenus(const SurfaceMesh& part);
-
 // GLB, OBJ and PLY have what `loaded.attributes` says of the vertices, as far as the format can:
 // as it is at vertices of the model, linear between them where new ones stand on edges and in
 // faces, and on caps that of their rims. Where the corners at a vertex differ, as along the seam of
@@ -46,8 +39,8 @@ GIRTH_EXPORT std::string cutObj(const LoadedMesh& loaded, const CutModel& model)
 GIRTH_EXPORT Result<std::string> partFile(const LoadedMesh& loaded, const CutModel& model,
                                           std::size_t part, Format format);
 
-/// One JSON object: `file`, `unit` and `parts`. Of a part: `area`, `volume` (null where it has a
-/// boundary), `faces`, `vertices`, `genus` and `boundaries`.
+/// One JSON object: `file`, `unit` and `parts`. Of a part: its measures
+/// (PartMeasures), and the numbers of its `faces` and `vertices`.
 GIRTH_EXPORT std::string cutJson(const LoadedMesh& loaded, const CutModel& model,
                                  std::string_view file);
 

@@ -34,6 +34,11 @@ PartKind Segment::kind() const {
   return static_cast<PartKind>(most - kindAreas.begin());
 }
 
+KindShares Segment::shares() const {
+  const auto& [body, tube, plate, unknown] = kindAreas;
+  return {body / area, tube / area, plate / area, unknown / area};
+}
+
 Result<CutAtNecks> cutAtNecks(const SurfaceMesh& mesh, std::span<const Neck> necks,
                               const ExecutionContext& context) {
   std::vector<SurfaceCurve> curves;

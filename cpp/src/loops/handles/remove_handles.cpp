@@ -291,6 +291,14 @@ std::vector<Handle> apart(const SurfaceMesh& mesh, const std::vector<Handle>& ha
 
 }  // namespace
 
+std::vector<RemovedHandle> HandleRemoval::account() const {
+  std::vector<RemovedHandle> handles;
+  for (const Handle& handle : removed) {
+    handles.push_back({handle.kind, handle.length, handle.centre});
+  }
+  return handles;
+}
+
 Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
                                     const HandleOptions& options, const ExecutionContext& context) {
   if (!(length >= 0)) {

@@ -7,8 +7,8 @@ import type {
   Field,
   GirthErrorFields,
   GirthStation,
-  Loop,
   LoopKind,
+  MeasuredLoop,
   MeshInfo,
   PartialField,
   PartOptions,
@@ -113,7 +113,7 @@ export interface PrintArrays {
 }
 
 /** A loop as a worker finds it. */
-export interface FoundLoop extends Omit<Loop, 'base' | 'points' | 'unit'> {
+export interface FoundLoop extends Omit<MeasuredLoop, 'points'> {
   /** Packed: `unpackedPoints`. */
   points: Float64Array;
 }

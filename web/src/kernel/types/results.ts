@@ -12,6 +12,15 @@ import type { SurfacePoint } from './points.js';
 export type BottleneckKind = 'neck' | 'pass' | 'end';
 
 /**
+ * How the shortest loop came about (paper, section 3.1, figure 1).
+ *
+ * - `'loop'`: The frontier of the growing geodesic disk touched itself head-on: a loop around the surface.
+ * - `'antipodal'`: The frontier vanished at one farthest point without a loop before: the "loop" is out and back again.
+ * - `'unresolved'`: The budget was met first. The length is a lower bound, and `atMost` one from above.
+ */
+export type LoopKind = 'loop' | 'antipodal' | 'unresolved';
+
+/**
  * On which side of its component a loop bounds a surface (web/docs/definitions.md, section 5).
  *
  * - `'handle'`: inside: it goes round the material
@@ -53,15 +62,6 @@ export type LimbEnd = 'spreads' | 'slips' | 'splits' | 'handle' | 'boundary' | '
 export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
 
 /**
- * How the shortest loop came about (paper, section 3.1, figure 1).
- *
- * - `'loop'`: The frontier of the growing geodesic disk touched itself head-on: a loop around the surface.
- * - `'antipodal'`: The frontier vanished at one farthest point without a loop before: the "loop" is out and back again.
- * - `'unresolved'`: The budget was met first. The length is a lower bound, and `atMost` one from above.
- */
-export type LoopKind = 'loop' | 'antipodal' | 'unresolved';
-
-/**
  * The fault of a place.
  *
  * - `'tube'`: a tube's diameter
@@ -96,6 +96,45 @@ export type TubeChange = 'narrowing' | 'widening';
  * - `'coarse'`: no section perpendicular to its line is closed
  */
 export type NoTube = 'handle' | 'blunt' | 'flat' | 'coarse';
+
+/**
+ * A saddle of the distance from p: where the growing disk touches itself, and what it cuts off begins
+ * to be filled.
+ *
+ * @experimental
+ */
+export interface SaddleBar {
+  /** Its distance from p, in model units: half the length of its loop. */
+  birth: number;
+  /**
+   * The distance at which one of the two parts that the loop cuts off is filled, by the elder rule;
+   * infinite where the loop cuts nothing off, or neither part is filled up to `birth + maxPersistence`.
+   */
+  death: number;
+}
+
+/**
+ * The saddles of the distance from a point, by their distance.
+ *
+ * @experimental
+ */
+export interface MeasuredBarcode {
+  /** Persistence is known up to this, in model units. */
+  maxPersistence: number;
+  /**
+   * I_tau where no bar lasts longer than tau: twice the greatest distance, antipodal, if all saddles are
+   * listed; otherwise unresolved, and no I_tau of that kind is less than its length.
+   */
+  rest: GirthValue;
+  /**
+   * In the order of their births. The last one may last longer than `maxPersistence`: then it is the
+   * first that does, and none beyond it is listed. Saddles that last no longer than rounding can tell, a
+   * share of 4e-9, are left out.
+   */
+  bars: SaddleBar[];
+  /** The loop of each bar, where loops were asked for; otherwise empty. */
+  loops: MeasuredLoop[];
+}
 
 /**
  * The bottleneck between two points.
@@ -144,6 +183,18 @@ export interface LoopSide {
   volume: number;
 }
 
+/** Measures of a part of a surface. */
+export interface PartMeasures {
+  /** In squared model units. */
+  area: number;
+  /** Enclosed, in cubed model units; NaN where the part has a boundary. */
+  volume: number;
+  /** Handles, those of its cavities among them. */
+  genus: number;
+  /** Boundary curves. */
+  boundaries: number;
+}
+
 /**
  * The distance between two points.
  *
@@ -180,6 +231,14 @@ export interface Distances {
   distances: Distance[];
 }
 
+/** A shortest path between two points of a surface. */
+export interface MeasuredPath {
+  /** In model units; infinite where the points lie in different components. */
+  length: number;
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
+}
+
 /**
  * The girth at one distance: along a ring, a closed curve that goes round the surface there.
  */
@@ -201,6 +260,43 @@ export interface GirthStation {
    * Where it is: a point of an edge. `Mesh.loop` gives the loop there. Only where `least` is a number.
    */
   place?: SurfacePoint;
+}
+
+/** The girth at a point. */
+export interface GirthValue {
+  /** I(p), in model units; where unresolved, no more than I(p). */
+  length: number;
+  /** How it came about. */
+  kind: LoopKind;
+}
+
+/** The shortest geodesic loop based at a point. */
+export interface MeasuredLoop {
+  /** The point p where the loop starts and ends. */
+  base: SurfacePoint;
+  /** I(p), in model units; where unresolved, no more than I(p). */
+  length: number;
+  /** How it came about. */
+  kind: LoopKind;
+  /**
+   * Angle at p between the loop's two ends, inside the surface, on the smaller side, in radians. At
+   * least π: the loop is a closed geodesic. 0: antipodal.
+   */
+  angle: number;
+  /**
+   * The loop's point farthest from p: length / 2 from p both ways, and both are shortest. x, y, z,
+   * relative to `MeshGeometry.origin`.
+   */
+  midpoint: [number, number, number];
+  /**
+   * The loop from p round to p: p, the edges it crosses and vertices it passes in order, p. Between
+   * neighbours it is straight inside one face or along one edge. An antipodal loop runs to `midpoint`
+   * and back the same way, and there the midpoint is one of the points. Empty where unresolved. Surfaces
+   * are cut along those of the kind Loop.
+   */
+  points: SurfacePoint[];
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
 }
 
 /**
@@ -682,11 +778,25 @@ export interface GirthAudit {
 }
 
 /**
+ * A handle or tunnel that was taken away: along its loop the surface was cut and closed.
+ *
+ * @experimental
+ */
+export interface RemovedHandle {
+  /** Which of the two it was. */
+  kind: HandleKind;
+  /** The length of its loop, in model units. */
+  length: number;
+  /** Mean of the loop's points, in model units. */
+  centre: [number, number, number];
+}
+
+/**
  * A surface with fewer handles, and the account of what was done.
  *
  * @experimental
  */
-export interface MeasuredRemoval {
+export interface HandleRemoval {
   /** Genus of all components together. */
   genusBefore: number;
   /** Genus of the surface that is left. */
@@ -701,6 +811,8 @@ export interface MeasuredRemoval {
    * length that was asked for, or less where the budget did not suffice to prove it.
    */
   provenLength: number;
+  /** The removed handles without their loops, in the order of the cuts. */
+  removed: RemovedHandle[];
 }
 
 /**
@@ -792,6 +904,26 @@ export interface Section {
 export interface Sections {
   /** In the order in which the planes were given. */
   sections: Section[];
+}
+
+/** Shares of a segment's area, from 0 to 1, by kind; they add up to 1. */
+export interface KindShares {
+  /** The share of the body. */
+  body: number;
+  /** The share of tubes. */
+  tube: number;
+  /** The share of plates. */
+  plate: number;
+  /** The share without a kind. */
+  unknown: number;
+}
+
+/** One segment of a body. */
+export interface MeasuredSegment {
+  /** The kind that has the largest area in it; of equal ones the first. */
+  kind: PartKind;
+  /** Shares of its area by kind. */
+  shares: KindShares;
 }
 
 /** A line across edges of the surface: a point in the middle of each, in order. */

@@ -9,17 +9,19 @@ import type {
   AxisLoop,
   Bottleneck,
   GirthAudit,
-  HandleKind,
+  HandleRemoval,
   Handles,
   Limb,
   Limbs,
-  LoopKind,
   Maximum,
-  MeasuredRemoval,
+  MeasuredBarcode,
+  MeasuredLoop,
+  MeasuredPath,
+  MeasuredSegment,
   MeasuredStation,
   Necks,
   Part,
-  PartKind,
+  PartMeasures,
   PartThresholds,
   PreparationReport,
   PrintCheck,
@@ -291,20 +293,6 @@ export interface LimbOptions extends WatchedOptions {
   stations?: number;
 }
 
-/** A closed geodesic that is shorter than every other closed curve near it. */
-export interface ClosedLoop {
-  /** In model units. */
-  length: number;
-  /** Vertices and points of edges in order; the last one equals the first. It is straight between them. */
-  points: SurfacePoint[];
-  /** x, y, z of these points, relative to `geometry.origin`. */
-  polyline: Float32Array;
-  /** Mean of the loop's points, in model units. */
-  centre: [number, number, number];
-  /** The area that it encloses in its mean plane, in squared model units. */
-  area: number;
-}
-
 /** Where a field has one value (`level_curves.h`). */
 export interface LevelCurve {
   /** Whether the last point equals the first. Otherwise it ends at the boundary, or where values are missing. */
@@ -368,24 +356,8 @@ export interface HandleOptions extends WatchedOptions {
   basePoints?: number;
 }
 
-/** A handle or tunnel that was taken away: along its loop the surface was cut and closed. */
-export interface RemovedHandle {
-  /** Which of the two it was. */
-  kind: HandleKind;
-  /** The length of its loop, in model units. */
-  length: number;
-  /** Mean of the loop's points, in model units. */
-  centre: [number, number, number];
-}
-
-/** The account of handles that were taken away from a surface. */
-export interface HandleRemoval extends MeasuredRemoval {
-  /** In the order of the cuts. */
-  removed: RemovedHandle[];
-}
-
 /** A part of a surface that was cut. */
-export interface CutPart {
+export interface CutPart extends PartMeasures {
   /** x, y, z of each vertex, in model units. */
   positions: Float64Array<ArrayBuffer>;
   /** Three vertices for each face. */
@@ -394,13 +366,10 @@ export interface CutPart {
   vertices: Uint32Array<ArrayBuffer>;
   /** For each face the face of the uncut surface that it is a piece of; 2³² − 1 for those of caps. */
   faces: Uint32Array<ArrayBuffer>;
-  /** In squared model units. */
-  area: number;
-  /** The volume that it encloses, in cubed model units; NaN where it has a boundary. */
-  volume: number;
-  /** The genus of the part. */
-  genus: number;
-  /** How many boundary curves it has. */
+  /**
+   * The older name of `boundaries`, until 2.0.
+   * @deprecated
+   */
   boundaryCount: number;
 }
 
@@ -442,11 +411,7 @@ export interface Parts {
 }
 
 /** A part that a surface falls into at its necks, and what it is (`segments.h`). */
-export interface Segment extends CutPart {
-  /** The kind that has the largest share. */
-  kind: PartKind;
-  /** Shares of its area by kind, from 0 to 1; they add up to 1. */
-  shares: Record<PartKind, number>;
+export interface Segment extends CutPart, MeasuredSegment {
   /** The tips whose apexes lie on it, by their numbers in {@link Tips.tips}, in rising order. */
   tips: number[];
 }
@@ -485,24 +450,7 @@ export interface PrintFields {
 }
 
 /** The shortest loop at a point of the surface. */
-export interface Loop {
-  /** The girth I(p), in the unit `unit`. */
-  length: number;
-  /** How it came about. */
-  kind: LoopKind;
-  /** The point p, as it was asked for. */
-  base: SurfacePoint;
-  /**
-   * From p to p: p, the edges that it crosses and vertices that it passes; it is straight between them. Along these of
-   * a loop of kind 'loop' {@link Mesh.cut} cuts. Empty where unresolved, and of loops that a file was read with.
-   */
-  points: SurfacePoint[];
-  /** x, y, z of each point, from p to p, relative to {@link MeshGeometry.origin}; empty where unresolved. */
-  polyline: Float32Array;
-  /** x, y, z of the loop's point farthest from p, relative to {@link MeshGeometry.origin}. */
-  midpoint: [number, number, number];
-  /** Angle at p between the loop's ends, in radians. */
-  angle: number;
+export interface Loop extends MeasuredLoop {
   /** The model's unit: 'm' for glTF, '' where the file does not state it. */
   unit: string;
 }
@@ -513,38 +461,10 @@ export interface LoopOptions extends CallOptions {
   persistence?: number;
 }
 
-/**
- * A saddle of the distance from a point: where the growing disk touches itself, and what it cuts off begins to
- * be filled (`barcode.h`).
- */
-export interface SaddleBar {
-  /** Its distance from the point, in model units: half the length of its loop. */
-  birth: number;
-  /**
-   * The distance at which a side of the loop has been filled, in model units. Infinite where the loop cuts
-   * nothing off, or neither side is filled up to `maxPersistence` behind the birth.
-   */
-  death: number;
-}
-
 /** The saddles of the distance from a point. */
-export interface Barcode {
-  /** By their births. The last one may be the first that lasts longer than `maxPersistence`. */
-  bars: SaddleBar[];
+export interface Barcode extends MeasuredBarcode {
   /** The loop of each bar, where they were asked for; otherwise empty. */
   loops: Loop[];
-  /** Persistence is known up to this, in model units. */
-  maxPersistence: number;
-  /**
-   * The girth for a persistence that no bar has: twice the greatest distance, in model units; where that is
-   * not known, a lower bound.
-   */
-  rest: {
-    /** In model units. */
-    length: number;
-    /** 'antipodal', or 'unresolved' for a lower bound. */
-    kind: LoopKind;
-  };
   /** The model's unit: 'm' for glTF, '' where the file does not state it. */
   unit: string;
 }
@@ -597,13 +517,9 @@ export interface Barcodes {
 }
 
 /** A shortest path between two points of a surface, and how far they are apart in space. */
-export interface SurfacePath {
-  /** Along the surface, in the unit `unit`; infinite where the points lie in different components. */
-  length: number;
+export interface SurfacePath extends MeasuredPath {
   /** Through space, as the crow flies. */
   straight: number;
-  /** x, y, z of each point, relative to {@link MeshGeometry.origin}; empty where there is no path. */
-  polyline: Float32Array;
   /** The model's unit: 'm' for glTF, '' where the file does not state it. */
   unit: string;
 }

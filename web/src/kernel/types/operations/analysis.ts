@@ -18,6 +18,7 @@ import type {
   PartThresholds,
   PrintCheck,
   Profile,
+  SurfacePath,
 } from '../types.js';
 import { takes } from './table.js';
 
@@ -39,11 +40,7 @@ export const analysing = {
   difference: takes('surface', 'values', 'other', 'otherValues').gives<{ difference: number }>(),
   refinedGirth: takes('surface', 'request', 'onProgress').gives<FoundRefined>(),
   vertexAreas: takes('surface').gives<{ areas: Float64Array<ArrayBuffer> }>(),
-  path: takes('surface', 'from', 'to').gives<{
-    length: number;
-    straight: number;
-    polyline: Float32Array<ArrayBuffer>;
-  }>(),
+  path: takes('surface', 'from', 'to').gives<Omit<SurfacePath, 'unit'>>(),
   tips: takes('surface', 'girth').gives<FoundTips>(),
   limbs: takes('surface', 'girth', 'stations', 'onProgress').gives<Limbs>(),
   necks: takes('surface', 'girth', 'minProminence', 'onProgress').gives<Necks>(),
