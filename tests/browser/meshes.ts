@@ -220,14 +220,21 @@ export function hand(lengths: readonly number[]): string {
   return blocks(cubes);
 }
 
-/** A tube about z, open at both ends: a prism of unit radius with `sides` sides. */
-export function tube(rings: number, sides: number, length: number): string {
+/** A tube about z, open at both ends, with `sides` sides; without a radius at each height, a prism of unit radius. */
+export function tube(
+  rings: number,
+  sides: number,
+  length: number,
+  radiusAt: (height: number) => number = () => 1,
+): string {
   const points: Point[] = [];
   const faces: number[][] = [];
   for (let i = 0; i < rings; ++i) {
     for (let k = 0; k < sides; ++k) {
       const angle = (2 * Math.PI * k) / sides;
-      points.push([Math.cos(angle), Math.sin(angle), (length * i) / (rings - 1)]);
+      const height = (length * i) / (rings - 1);
+      const radius = radiusAt(height);
+      points.push([radius * Math.cos(angle), radius * Math.sin(angle), height]);
       if (i === 0) continue;
       const at = (a: number, b: number) => (i - 1 + a) * sides + ((k + b) % sides);
       faces.push([at(0, 0), at(0, 1), at(1, 1)], [at(0, 0), at(1, 1), at(1, 0)]);

@@ -42,6 +42,12 @@ import { type Shared, offerSharing } from './export/share-sheet.js';
 import { closeLeftSheets } from './widgets/sheets.js';
 import { Draft } from './widgets/draft.js';
 import { LengthInput } from './widgets/length-input.js';
+import type { PanelKit } from './widgets/panel-kit.js';
+import { PanelSearch } from './widgets/panel-search.js';
+import { PlaceList } from './widgets/place-list.js';
+import { axisNumber } from './widgets/axis-number.js';
+import { ProfilePlot } from '../src/element/plots.js';
+import type { TubePanel } from './panels/tube/tube-panel.js';
 import { TableActions } from './widgets/table-actions.js';
 import { columnOf } from './widgets/table-text.js';
 import { stemOf } from './export/save-file.js';
@@ -66,13 +72,24 @@ const field = new FieldPanel(viewer, computed, store, {
   tipRises: () => tips.rises,
 });
 const loops = new PinnedList(viewer, store);
+/** For panels that are fetched when they are opened. */
+const kit: PanelKit = {
+  ...{ Draft, LengthInput, PanelSearch, PlaceList, ProfilePlot, TableActions },
+  ...{ axisNumber, columnOf, failureWords, stemOf },
+};
 const sections = new Panel('sections-panel');
 const showSections = once(async () => {
   const { SectionsPanel } = await import('./panels/sections/sections-panel.js');
-  const kit = { Draft, LengthInput, TableActions, columnOf, failureWords, stemOf };
   return new SectionsPanel(viewer, store, sections, kit);
 });
 sections.onToggle(() => void showSections());
+const tube = new Panel('tube-panel');
+let measured: TubePanel | undefined;
+const showTube = once(async () => {
+  const { TubePanel } = await import('./panels/tube/tube-panel.js');
+  return (measured = new TubePanel(viewer, store, tube, kit));
+});
+tube.onToggle(() => void showTube());
 const tips = new TipsPanel(viewer, store, {
   found: () => field.refresh(),
   colour: (bySdf) => field.colourForPanel('sdf', bySdf),
@@ -120,6 +137,7 @@ comparePanel.onToggle((isOpen) => isOpen && void compare());
 const panels: Record<PanelName, Panel> = {
   loops: loops.panel,
   sections,
+  tube,
   tips: tips.panel,
   limbs: limbs.panel,
   necks: necks.panel,
@@ -390,7 +408,14 @@ const recent = new RecentFiles(viewer, (files) => void openFiles(files));
 acceptDrops(byId('drop'), (files) => void openFiles(files));
 acceptLaunches((files) => void openFiles(files));
 const plots = (): PagePlot[] =>
-  [field, limbs, necks, parts, ...(compared ? [compared] : [])].flatMap(({ plots }) => plots);
+  [
+    field,
+    ...(measured ? [measured] : []),
+    limbs,
+    necks,
+    parts,
+    ...(compared ? [compared] : []),
+  ].flatMap(({ plots }) => plots);
 offerExports(viewer, computed, { parts, loops, limbs, necks }, plots, async () =>
   (await projects()).projectOf(viewer, session.opened!, store.shown, computed),
 );

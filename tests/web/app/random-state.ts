@@ -47,6 +47,7 @@ export const choices: Omit<
   shading: ['flat', 'xray'],
   up: ['-x', 'z'],
   section: ['y 60%', '-x 40.5%'],
+  reference: ['mean', 'beyond'],
   camera: [{ polar: 1.25, azimuth: -0.5, distance: 4.5, target: [0, 0.25, -1] }],
   loops: [[3], [4, point]],
   names: [['rim, left', '50% & more']],

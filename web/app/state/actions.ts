@@ -26,7 +26,7 @@ export const modelKeys = [
 /** Keys of the state that stay with a model, however it is prepared. */
 const ownKeys = [
   ...(['unit', 'shown', 'up', 'section'] as const),
-  ...(['tube', 'wall', 'gap', 'printer'] as const),
+  ...(['tube', 'wall', 'gap', 'printer', 'reference'] as const),
 ] satisfies readonly Key[];
 /** Keys of the state that are about one surface. */
 const surfaceKeys = [

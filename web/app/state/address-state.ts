@@ -15,11 +15,12 @@ import {
   writeCamera,
   writePoint,
 } from '../../src/element/index.js';
-import type { PrepareOptions, SurfacePoint } from '../../src/kernel/index.js';
+import type { PrepareOptions, SurfacePoint, TubeReference } from '../../src/kernel/index.js';
 
 export const panelNames = [
   'loops',
   'sections',
+  'tube',
   'tips',
   'limbs',
   'necks',
@@ -96,6 +97,8 @@ export interface PageState {
   profile?: SurfacePoint[];
   /** The limb along whose axis the girth is shown, from 1. */
   axis?: number;
+  /** What narrowings and widenings of tubes are compared with, where it is not the taper. */
+  reference?: TubeReference;
   /** Necks are listed that stand out by at least so much, in model units. */
   prominence?: number;
   /** Along what the surface is shown cut, and that the rims are left open. */
@@ -183,6 +186,10 @@ function readRange(text: string): string | undefined {
 /** A share of the square root of the area, or a length. */
 function readPersistence(text: string): string | undefined {
   return /^\d[\d.]{0,12}( ?[a-zµ]{1,3}|%)?$/i.test(text) ? text : undefined;
+}
+
+function readReference(text: string): TubeReference | undefined {
+  return (['mean', 'before', 'beyond'] as const).find((reference) => reference === text);
 }
 
 function readMethod(text: string): GirthMethod | undefined {
@@ -302,6 +309,7 @@ const parts: {
   bottleneck: [parseTwoPoints, writePoints],
   profile: [parsePath, writePoints],
   axis: [readCount, String],
+  reference: [readReference, (reference) => reference],
   prominence: [readThreshold, writeLimit],
   cut: [readCut, (cut) => cut],
   rims: [readFlag, () => '1'],

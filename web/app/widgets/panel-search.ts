@@ -1,4 +1,4 @@
-// A panel's search once the girth is there: its progress in words, to be stopped and started again.
+// A panel's search, once the girth is there where it needs that: its progress in words, to be stopped and started again.
 
 import { type GirthViewer, make } from '../../src/element/index.js';
 import { type Key, Resource, type Status, type Watch } from '../results/resource.js';
@@ -9,6 +9,8 @@ export interface Searched<Found> {
   again: string;
   /** The words as long as the girth is not there. */
   pending: string;
+  /** Whether the search needs the girth. Default: true. */
+  needsGirth?: boolean;
   /** The parameters of the search, beside the surface. */
   parameters(): Key;
   /** The words after it was stopped. */
@@ -62,7 +64,7 @@ export class PanelSearch<Found> {
     this.#show({ is: 'unwanted' });
   }
 
-  /** Searches as soon as the girth is there, unless that is done or under way. */
+  /** Searches unless that is done or under way; where it needs the girth, once that is there. */
   start(): void {
     if (this.#viewer.info) this.#resource.want(this.#key);
   }
@@ -72,7 +74,7 @@ export class PanelSearch<Found> {
   }
 
   async #find(watch: Watch): Promise<Found> {
-    await this.#viewer.fieldOf('igf');
+    if (this.#searched.needsGirth !== false) await this.#viewer.fieldOf('igf');
     return this.#searched.search(watch);
   }
 

@@ -5,7 +5,7 @@ import { type GirthViewer, formatNumber, make } from '../../../src/element/index
 import type { Mesh, SurfacePoint } from '../../../src/kernel/index.js';
 import type { TableActions } from '../../widgets/table-actions.js';
 import type { Table } from '../../widgets/table-text.js';
-import type { PanelKit } from './panel-kit.js';
+import type { PanelKit } from '../../widgets/panel-kit.js';
 
 interface Around {
   perimeter: number;

@@ -15,7 +15,7 @@ import type { LengthInput } from '../../widgets/length-input.js';
 import type { Panel } from '../../widgets/panel.js';
 import type { TableActions } from '../../widgets/table-actions.js';
 import type { Table } from '../../widgets/table-text.js';
-import type { PanelKit } from './panel-kit.js';
+import type { PanelKit } from '../../widgets/panel-kit.js';
 import { PinnedSections } from './pinned-sections.js';
 
 type Direction = readonly [number, number, number];
