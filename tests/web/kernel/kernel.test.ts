@@ -642,6 +642,31 @@ describe('names of options', () => {
     expect(asked.at(-1)).toMatchObject({ options: { girth: 1, shapeDiameter: 2 } });
   });
 
+  test('older ones of members are read, with one warning each, and are not listed', async () => {
+    const warned = vi.spyOn(console, 'warn').mockImplementation(() => undefined);
+    const surface = fakeSurface(4);
+    const { kernel } = await fakeKernel((request, report) => {
+      if (request.operation === 'suggestedThresholds') return { girth: 3, shapeDiameter: 2 };
+      if (request.operation !== 'parts') return surface(request, report);
+      return { parts: [1, 5].map((medianShapeDiameter) => ({ medianShapeDiameter })) };
+    });
+    const mesh = await kernel.load(anyArrays);
+    const [igf, sdf] = [await mesh.field('igf'), await mesh.field('sdf')];
+    const suggested = await mesh.suggestedThresholds(igf, sdf);
+    const { parts } = await mesh.parts(igf, sdf, suggested);
+    expect(Object.keys(suggested)).toEqual(['girth', 'shapeDiameter']);
+    warned.mockClear();
+    const older = (found: object, name: string) => (found as Record<string, unknown>)[name];
+    expect(older(suggested, 'thickness')).toBe(2);
+    expect(parts.map((part) => older(part, 'medianThickness'))).toEqual([1, 5]);
+    expect(older(mesh.geometry, 'walls')).toBe(mesh.geometry.boundary);
+    const texts = warned.mock.calls.map(([text]) => text as string);
+    expect(texts.filter((text) => !text.startsWith('thickness '))).toEqual([
+      'medianThickness is the older name of medianShapeDiameter, until 2.0',
+      'walls is the older name of boundary, until 2.0',
+    ]);
+  });
+
   test('of a kernel, and of its calls', async () => {
     const { kernel } = await fakeKernel(fakeSurface(4));
     const prepare = { weldDistances: 1 };
