@@ -12,7 +12,6 @@ from typing import Any, Iterable, Optional, Sequence, Union
 
 import numpy as np
 
-from pygirth import _girth
 from pygirth._arguments import one_of, path_of, real_number, running, whole_number
 from pygirth.errors import MissingPackageError, input_error
 from pygirth.mesh import FIELDS, Mesh, as_mesh
@@ -22,8 +21,6 @@ __all__ = ["Shown", "show"]
 
 COLORMAPS = ("viridis", "cividis", "plasma", "magma", "turbo", "rdbu")
 
-#: The symbols by which pages call units of length.
-SYMBOLS = _girth.length_unit_symbols()
 
 #: Surfaces that lie farther from the origin, in their own sizes, are drawn from a point of theirs.
 FAR = 64
@@ -291,7 +288,7 @@ def _surface(mesh: Mesh, name: str) -> dict[str, Any]:
     is_plain = np.array_equal(rows, np.arange(len(rows)))
     return {
         "name": name,
-        "unit": SYMBOLS.get(mesh.unit, mesh.unit if mesh.unit in SYMBOLS.values() else ""),
+        "unit": mesh.unit,
         "origin": origin.tolist(),
         "size": (high - low).tolist(),
         "area": core.area,

@@ -155,7 +155,7 @@ describe('a field by a pool', () => {
     expect([...field.values]).toEqual(Array.from({ length: 1000 }, (_, v) => fakeValue(v)));
     expect(field.kinds[3]).toBe(1);
     expect(field.range).toEqual([fakeValue(0), fakeValue(999)]);
-    expect(field.unit).toBe('m');
+    expect(field.unit).toBe('metre');
     expect([...seen].sort((a, b) => a - b)).toEqual(Array.from({ length: 1000 }, (_, v) => v));
     expect(seen[0]! % 2).toBe(0);
     expect(progress).toEqual([...progress].sort((a, b) => a - b));
@@ -283,14 +283,14 @@ describe('fields', () => {
     expect(sdf).toMatchObject({
       name: 'sdf',
       range: [1 / 19, 1],
-      unit: 'm',
+      unit: 'metre',
       method: 'sdf by fakes',
       withoutValue: 1,
       note: 'some are missing',
     });
     expect(sdf.kinds).toHaveLength(0);
-    expect(await mesh.field('angle')).toMatchObject({ name: 'angle', unit: 'rad' });
-    expect(await mesh.field('igf')).toMatchObject({ withoutValue: 0, note: '', unit: 'm' });
+    expect(await mesh.field('angle')).toMatchObject({ name: 'angle', unit: 'radian' });
+    expect(await mesh.field('igf')).toMatchObject({ withoutValue: 0, note: '', unit: 'metre' });
   });
 
   test('what was asked for reaches the workers; what was not, is left to C++', async () => {
@@ -410,7 +410,12 @@ describe('spectral fields', () => {
       mesh.field('hks', { onProgress: (f) => progress.push(f) }),
       mesh.heatMaxima(),
     ]);
-    expect(hks).toMatchObject({ name: 'hks', unit: '1/m²', method: 'by fakes', withoutValue: 0 });
+    expect(hks).toMatchObject({
+      name: 'hks',
+      unit: 'metre^-2',
+      method: 'by fakes',
+      withoutValue: 0,
+    });
     expect(hks.range).toEqual([fakeValue(0), fakeValue(19)]);
     expect(progress).toEqual([0.5, 1]);
     expect(maxima).toHaveLength(1);

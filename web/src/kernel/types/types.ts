@@ -133,7 +133,7 @@ export interface PrepareOptions {
 
 /** Options of calls that write a file. */
 export interface ExportOptions extends CallOptions {
-  /** The unit of lengths, where the file that was read does not state it: 'mm'. Default: the mesh's unit. */
+  /** The unit of lengths, where the file that was read does not state it: 'mm' or 'millimetre'. Default: the mesh's unit. */
   unit?: string;
 }
 
@@ -220,8 +220,8 @@ export interface Field {
   /** The smallest and the largest value; NaN twice where no vertex has one. */
   range: [number, number];
   /**
-   * The unit of the values. For lengths it is the model's: 'm' for glTF, '' where the file does not state
-   * it. For angles it is 'rad'. For heat and wave kernels it is '1/m²', or '' where the model's is not known.
+   * The unit of the values. For lengths it is the model's: 'metre' for glTF, '' where the file does not state
+   * it. For angles it is 'radian'. For heat and wave kernels it is 'metre^-2', or '' where the model's is not known.
    */
   unit: string;
   /** How it was computed: 'exact', '30 rays', 'fast marching', '300 eigenpairs'. */
@@ -335,7 +335,7 @@ export interface Profile {
   stations: PathStation[];
   /** x, y, z of the path's points, relative to {@link MeshGeometry.origin}. */
   polyline: Float32Array;
-  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'metre' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
@@ -347,7 +347,7 @@ export interface LimbAxis {
   loops: AxisLoop[];
   /** x, y, z of their middles, relative to {@link MeshGeometry.origin}: the axis, to draw. */
   polyline: Float32Array;
-  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'metre' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
@@ -503,7 +503,7 @@ export interface Loop {
   midpoint: [number, number, number];
   /** Angle at p between the loop's ends, in radians. */
   angle: number;
-  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'metre' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
@@ -545,7 +545,7 @@ export interface Barcode {
     /** 'antipodal', or 'unresolved' for a lower bound. */
     kind: LoopKind;
   };
-  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'metre' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
@@ -604,7 +604,7 @@ export interface SurfacePath {
   straight: number;
   /** x, y, z of each point, relative to {@link MeshGeometry.origin}; empty where there is no path. */
   polyline: Float32Array;
-  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'metre' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
@@ -651,7 +651,7 @@ export interface MeshInfo {
   /** Extent along x, y and z, in model units. */
   size: [number, number, number];
   /**
-   * The model's unit: 'm' for glTF, what a comment states, such as 'mm', in other files of Girth, '' where the file does
+   * The model's unit: 'metre' for glTF, what a comment states, such as 'millimetre', in other files of Girth, '' where the file does
    * not state it, as a GLB of Girth may.
    */
   unit: string;
