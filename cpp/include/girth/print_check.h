@@ -71,7 +71,7 @@ GIRTH_EXPORT std::string_view toString(CreaseKind kind);
 /// A connected place where measures are below a limit, but where no wall and no gap is. It does not
 /// fail.
 struct Crease {
-  CreaseKind kind{CreaseKind::Crease};  ///< that of its thinnest point
+  CreaseKind kind{CreaseKind::Crease};  ///< the kind of its thinnest point
   /// The sharp edges in it together, in model units; 0 where faces only touch.
   double length{0};
   /// In squared model units.

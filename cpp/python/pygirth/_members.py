@@ -205,7 +205,7 @@ class AxisLoop(_Members):
     girth : float
         The loop's length, in model units.
     area : float
-        That the loop encloses in its mean plane, in squared model units.
+        The area that the loop encloses in its mean plane, in squared model units.
     centre : ndarray of float64, shape (3,)
         A point of the axis: the mean of the loop's points, each part counted by its length.
     points : ndarray of float64, shape (k, 3)
@@ -349,7 +349,7 @@ class Part(_Members):
     Attributes
     ----------
     kind : str
-        That of all its vertices. ``"body"``: Thick. ``"tube"``: Thin, and a short loop goes
+        The kind of all its vertices. ``"body"``: Thick. ``"tube"``: Thin, and a short loop goes
         round it. ``"plate"``: Thin, but no short loop goes round it. ``"unknown"``: Its girth
         or its shape diameter has no value.
     area : float
@@ -442,10 +442,10 @@ class Crease(_Members):
     Attributes
     ----------
     kind : str
-        That of its thinnest point. ``"crease"``: Faces run into each other, or end in a lip of
-        an eighth of the limit. ``"rounding"``: Faces touch, to the rounding of coordinates in
-        single precision. ``"sliver"``: A triangle is so low that rounding alone decides where
-        it faces.
+        The kind of its thinnest point. ``"crease"``: Faces run into each other, or end in a lip
+        of an eighth of the limit. ``"rounding"``: Faces touch, to the rounding of coordinates
+        in single precision. ``"sliver"``: A triangle is so low that rounding alone decides
+        where it faces.
     length : float
         The sharp edges in it together, in model units; 0 where faces only touch.
     area : float

@@ -290,7 +290,7 @@ export interface AxisLoop {
   along: number;
   /** The loop's length, in model units. */
   girth: number;
-  /** That the loop encloses in its mean plane, in squared model units. */
+  /** The area that the loop encloses in its mean plane, in squared model units. */
   area: number;
   /** A point of the axis: the mean of the loop's points, each part counted by its length. */
   centre: [number, number, number];
@@ -431,7 +431,7 @@ export interface PartThresholds {
 
 /** A connected region of one kind. */
 export interface Part {
-  /** That of all its vertices. */
+  /** The kind of all its vertices. */
   kind: PartKind;
   /** Sum of the vertices' areas, in squared model units. */
   area: number;
@@ -617,7 +617,7 @@ export interface WeakPlace {
  * fail.
  */
 export interface Crease {
-  /** That of its thinnest point. */
+  /** The kind of its thinnest point. */
   kind: CreaseKind;
   /** The sharp edges in it together, in model units; 0 where faces only touch. */
   length: number;
