@@ -12,7 +12,7 @@ const folders = [
   ...['web/src/element', 'web/src/kernel', 'web/src/node', 'web/src/view'],
 ];
 
-const opening = /^(?:And of|Of|The same|Those|What|Who)\b/;
+const opening = /^(?:And|Of|That|The same|Those|What|Who)\b/i;
 
 /**
  * The comments of a source that open without their subject, each as line and text.

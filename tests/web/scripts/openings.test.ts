@@ -15,8 +15,11 @@ test('a comment that opens without its subject is found, in every form of commen
     ' * Who asks.',
     ' */',
     '// And of that, the rest.',
+    'int c;',
+    '/// That it is so.',
+    `int b;  ///<${' '}of the vertices`,
   ];
-  expect(linesOf('a.h', text.join('\n'))).toEqual([1, 2, 3, 4, 6, 8]);
+  expect(linesOf('a.h', text.join('\n'))).toEqual([1, 2, 3, 4, 6, 8, 10, 11]);
   expect(linesOf('a.cmake', '# What is meant.\nset(a b)  # Of it\n')).toEqual([1, 2]);
 });
 
