@@ -130,7 +130,7 @@ GIRTH_EXPORT std::optional<Error> whyNotChecked(const SurfaceMesh& mesh, const P
 /// - Creases are told from both: material that is thin only where faces run into each other at an
 ///   angle, up to thick material within two limits; lips; and what rounding alone makes.
 /// - Tubes, where the girth is below 2π times the limit: the least width of the cross-section
-///   inside the loop, or the girth by π where that is less. What is longer round is a wall.
+///   inside the loop, or the girth by π where that is less. A place longer round is a wall.
 ///
 /// A length below a limit by a millionth of it passes, of walls and gaps by the rounding of the
 /// coordinates in single precision.

@@ -138,8 +138,8 @@ class Handle(_Members):
         Mean of the loop's points, each part counted by its length, in model units.
     points : ndarray of float64, shape (k, 3)
         The edges it crosses and the vertices it passes in order; the last point equals the
-        first. Between neighbours it is straight inside one face or along one edge. Of a band of
-        parallel loops the one in the middle.
+        first. Between neighbours it is straight inside one face or along one edge. Among
+        parallel loops in a band, it is the one in the middle.
     """
 
     length: float
@@ -325,7 +325,7 @@ class Neck(_Members):
     points : ndarray of float64, shape (k, 3)
         The loop: the edges it crosses and the vertices it passes in order; the last point
         equals the first. Between neighbours it is straight inside one face or along one edge.
-        Of a band of parallel loops the one in the middle.
+        Among parallel loops in a band, it is the one in the middle.
     """
 
     length: float
@@ -388,7 +388,7 @@ class Maximum(_Members):
         The field there, in its unit.
     persistence : float
         How far one must go down from it, at least, to reach a higher maximum: 0 or more, in the
-        field's unit. Of the highest of a component: how far down to its least value.
+        field's unit. For the highest of a component: how far down to its least value.
     saddle : int
         The vertex where its surroundings meet those of a higher maximum; none for the highest.
         -1 where there is none, or the preparation made it.

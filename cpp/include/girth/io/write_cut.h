@@ -46,7 +46,7 @@ GIRTH_EXPORT std::string cutObj(const LoadedMesh& loaded, const CutModel& model)
 GIRTH_EXPORT Result<std::string> partFile(const LoadedMesh& loaded, const CutModel& model,
                                           std::size_t part, Format format);
 
-/// One JSON object: `file`, `unit` and `parts`. Of a part: `area`, `volume` (null where it has a
+/// One JSON object: `file`, `unit` and `parts`. Each part has `area`, `volume` (null where it has a
 /// boundary), `faces`, `vertices`, `genus` and `boundaries`.
 GIRTH_EXPORT std::string cutJson(const LoadedMesh& loaded, const CutModel& model,
                                  std::string_view file);

@@ -226,8 +226,8 @@ export interface Handle {
   centre: [number, number, number];
   /**
    * The edges it crosses and the vertices it passes in order; the last point equals the first. Between
-   * neighbours it is straight inside one face or along one edge. Of a band of parallel loops the one in
-   * the middle.
+   * neighbours it is straight inside one face or along one edge. Among parallel loops in a band, it is
+   * the one in the middle.
    */
   points: SurfacePoint[];
   /** x, y, z of its points, relative to `MeshGeometry.origin`. */
@@ -399,8 +399,8 @@ export interface Neck {
   vertices: Uint32Array;
   /**
    * The loop: the edges it crosses and the vertices it passes in order; the last point equals the first.
-   * Between neighbours it is straight inside one face or along one edge. Of a band of parallel loops the
-   * one in the middle.
+   * Between neighbours it is straight inside one face or along one edge. Among parallel loops in a band,
+   * it is the one in the middle.
    */
   points: SurfacePoint[];
   /** x, y, z of its points, relative to `MeshGeometry.origin`. */
@@ -474,7 +474,7 @@ export interface Maximum {
   value: number;
   /**
    * How far one must go down from it, at least, to reach a higher maximum: 0 or more, in the field's
-   * unit. Of the highest of a component: how far down to its least value.
+   * unit. For the highest of a component: how far down to its least value.
    */
   persistence: number;
   /**
