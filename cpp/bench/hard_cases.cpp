@@ -23,7 +23,7 @@ using namespace girth;
 using namespace girth::bench;
 
 struct Measured {
-  double seconds{0}, most{0};  ///< of all sources, and of the one that took longest
+  double seconds{0}, most{0};  ///< seconds of all sources, and of the one that took longest
   double windows{0};           ///< with the vertices
   Index faces{0};
   std::size_t sources{0}, unresolved{0};

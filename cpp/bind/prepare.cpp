@@ -88,7 +88,7 @@ val readSurface(const val& bytes, const std::string& name, const val& resource, 
     val result = describePrepared(prepared.value(), corners);
     result.set("format", std::string(io::toString(model.format)));
     const io::LengthUnit* unit = io::findLengthUnit(model.unit);
-    result.set("unit", std::string(unit == nullptr ? "" : unit->symbol));
+    result.set("unit", std::string(unit == nullptr ? "" : unit->name));
     result.set("notes", notes);
     return result;
   });

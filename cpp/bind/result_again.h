@@ -120,7 +120,7 @@ class ResultAgain {
   std::size_t lineStart_{0};
   bool isOfMesh_{true};
   bool isOfOptions_{false};
-  const char* member_{""};  ///< that is being read
+  const char* member_{""};  ///< the member that is being read
   std::string problem_;
 };
 

@@ -1,4 +1,4 @@
-"""What a collection costs: time, memory and bytes a model, from files to 100 queries.
+"""The cost of a collection: time, memory and bytes a model, from files to 100 queries.
 
     build/python/environment/bin/python tests/bench/collections.py FOLDER [MODELS]
 

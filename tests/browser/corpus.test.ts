@@ -63,8 +63,7 @@ function byCommand(files: string[]): Map<string, Outcome> {
 /** The page's answer as the command would give it: all else is left out. */
 function asCommandSays(info: MeshInfo, command: object): object {
   const { vertexCount: vertices, faceCount: faces, edgeCount: edges, report } = info;
-  const { components, genus, boundaries, area, format, notes } = info;
-  const unit = info.unit === 'm' ? 'metre' : info.unit;
+  const { components, genus, boundaries, area, format, notes, unit } = info;
   const counted = { vertices, faces, edges, components, genus, boundaries, area };
   const said: object = { ...report, ...counted, format, unit, notes, report };
   return Object.fromEntries(Object.entries(said).filter(([key]) => key in command));

@@ -288,7 +288,7 @@ for (const mode of ['threads', 'pool'] as const) {
       }, bulbs);
       const { field, angles } = result;
       expect(field.values.filter((_, v) => v % 7 === 0)).toEqual(angles);
-      expect(field).toMatchObject({ unit: 'rad', method: 'exact', withoutValue: 0, note: '' });
+      expect(field).toMatchObject({ unit: 'radian', method: 'exact', withoutValue: 0, note: '' });
       expect(Math.max(...angles)).toBeGreaterThan(1);
     });
 

@@ -181,7 +181,7 @@ test('links and undo have it', async () => {
   await expect
     .poll(async () => JSON.stringify(await rangeOf(linked.first)))
     .toBe(JSON.stringify(await rangeOf(linked.second)));
-  // That it came about is nothing to be undone.
+  // Undo has nothing to undo: the link made the view.
   const undoThere = linked.page.getByRole('button', { name: 'Undo' });
   expect(await undoThere.getAttribute('aria-disabled')).toBe('true');
 });

@@ -70,7 +70,7 @@ test('an octopus with three loops at 300 dpi, and the same view of another model
   await page.setViewportSize({ width: 390, height: 844 });
   await expect.poll(() => coveredShares(viewer, '.tag')).toEqual([0, 0, 0]);
   await page.setViewportSize(size);
-  // And clear of the legend's numbers, though a loop lies beside them.
+  // Labels stand clear of the legend's numbers too, though a loop lies beside them.
   const onNumbers = () =>
     viewer.evaluate(async (element: GirthViewer) => {
       let leftmost = { vertex: 0, x: Infinity };
@@ -128,7 +128,7 @@ test('an octopus with three loops at 300 dpi, and the same view of another model
     density: [11811, 11811],
     corner: 0,
   });
-  // And two in the list of sizes, which opens outside of the page.
+  // Two more clicks were in the list of sizes, which opens outside of the page.
   expect(await clicks()).toBe(13);
 
   // The figure in lines: the outline, as wide as the surface is seen, with a loop; and the plot that is seen.

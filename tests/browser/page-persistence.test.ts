@@ -84,7 +84,7 @@ test('what is stopped while saddles are looked for stays as it was', async () =>
     expect(await viewer.getAttribute('persistence')).toBe(null);
     expect(await viewer.evaluate((element: GirthViewer) => element.shareOf('igf'))).toBe(1);
   }
-  // And again, to the end; of two wishes meanwhile, the later one.
+  // Once more, to the end; of two wishes meanwhile, the later one counts.
   await slideTo(slider, 40);
   await slideTo(slider, 20);
   await expect.poll(() => viewer.getAttribute('persistence'), { timeout: 60_000 }).toBe('1%');

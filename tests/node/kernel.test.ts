@@ -173,8 +173,8 @@ test('the unit is the one that a file states, there and back', async () => {
   `);
   expect(units).toEqual([
     ['', '', ''],
-    ['mm', 'mm', 'm'],
-    ['km', 'km', 'm'],
+    ['millimetre', 'millimetre', 'metre'],
+    ['kilometre', 'kilometre', 'metre'],
   ]);
 });
 

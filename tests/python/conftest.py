@@ -1,4 +1,4 @@
-"""What all tests of the Python package use."""
+"""Fixtures of all tests of the Python package."""
 
 import json
 import os

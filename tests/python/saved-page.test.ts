@@ -60,7 +60,7 @@ test('a saved page shows the values of the girth, bit for bit, and fetches nothi
     .poll(() => viewer.evaluate((element) => (element as GirthViewer).pinned.length))
     .toBe(1);
   const pinned = await viewer.evaluate((element) => (element as GirthViewer).pinned[0]!.loop);
-  expect([pinned.base, pinned.length, pinned.unit]).toEqual([100, length, 'm']);
+  expect([pinned.base, pinned.length, pinned.unit]).toEqual([100, length, 'metre']);
   expect(fetched).toEqual([]);
   expect(complaints).toEqual([]);
 });

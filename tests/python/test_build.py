@@ -1,4 +1,4 @@
-"""What the build backend tells pip before anything is compiled, and what it refuses at once."""
+"""The build backend tells pip what it needs before anything is compiled, and refuses some Pythons at once."""
 
 import importlib.util
 import sys

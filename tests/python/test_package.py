@@ -31,7 +31,7 @@ def test_the_metadata_say_what_the_project_file_says(repository):
 
 
 class Stub:
-    """What the stub of the core declares, written as pybind11 writes it in the first line of a docstring."""
+    """Declarations of the stub of the core, written as pybind11 writes them in the first line of a docstring."""
 
     def __init__(self, text):
         body = ast.parse(text).body

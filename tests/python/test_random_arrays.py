@@ -24,7 +24,7 @@ def shape_of(generator, rows):
 
 
 def layout_of(generator, array):
-    """The same numbers, lying otherwise in memory."""
+    """An array with the same numbers, lying otherwise in memory."""
     choice = generator.integers(6)
     if choice == 0:
         return np.asfortranarray(array)

@@ -12,7 +12,20 @@ const folders = [
   ...['web/src/element', 'web/src/kernel', 'web/src/node', 'web/src/view'],
 ];
 
-const opening = /^(?:And of|Of|The same|Those|What|Who)\b/;
+const opening = /^(?:And|Of|That|The same|Those|What|Who)\b/i;
+
+/**
+ * How a line of Python opens its part of a docstring: the docstring itself, or what is said of a parameter or a result.
+ * @param {readonly string[]} lines
+ * @param {number} i
+ * @returns {string | undefined}
+ */
+function docstringAt(lines, i) {
+  const [line = '', above = '', higher = ''] = [lines[i], lines[i - 1], lines[i - 2]];
+  const begun = /^\s*"""(\S.*)$/.exec(line)?.[1];
+  const isItem = /^\s+\*?[\w, *]+ : \S/.test(above) || /^\s+-{3,}$/.test(higher);
+  return begun ?? (isItem ? line.trim() : undefined);
+}
 
 /**
  * The comments of a source that open without their subject, each as line and text.
@@ -27,11 +40,13 @@ export function openingsIn(path, text) {
   /** @type {{ line: number, comment: string }[]} */
   const found = [];
   let isInside = false;
-  text.split('\n').forEach((line, i) => {
+  const lines = text.split('\n');
+  lines.forEach((line, i) => {
     const own = whole.exec(line)?.[1];
     const isBlock = !isHash && /^\s*\/\*/.test(line);
     const isLater = isInside && !isBlock;
-    const begun = own === undefined ? behind.exec(line)?.[1] : isLater ? undefined : own;
+    const comment = own === undefined ? behind.exec(line)?.[1] : isLater ? undefined : own;
+    const begun = comment ?? (/\.pyi?$/.test(path) ? docstringAt(lines, i) : undefined);
     if (begun !== undefined && opening.test(begun)) found.push({ line: i + 1, comment: begun });
     isInside = own !== undefined && own !== '' && !line.trimEnd().endsWith('*/');
   });

@@ -32,7 +32,7 @@ export function pythonFields(parameters) {
     // The member of C++ has another form: an enumeration, or radians.
     const isOther = kind === 'Method' || kind === 'Degrees';
     const manual = isOther ? `${words}.` : inPython(sentences(comment));
-    return `        ${nameOf(keyword)} : ${passed[kind]?.[1]}\n${wrapped(`Of ${of}: ${manual}`, ' '.repeat(12))}`;
+    return `        ${nameOf(keyword)} : ${passed[kind]?.[1]}\n${wrapped(`For ${of}: ${manual}`, ' '.repeat(12))}`;
   });
   const given = own.map(({ keyword, kind }) => {
     const value = kind === 'Method' ? `${nameOf(keyword)} or None` : nameOf(keyword);
@@ -76,9 +76,9 @@ ${signature.join('')}        pairs: Optional[int] = None,
         name : str
             One of \`FIELDS\`; the documentation of the outputs states what each is.
 ${manual.join('')}        pairs : int, optional
-            Of \`\`'hks'\`\`, \`\`'sihks'\`\` and \`\`'wks'\`\`: eigenpairs, 2 to 100,000.
+            For \`\`'hks'\`\`, \`\`'sihks'\`\` and \`\`'wks'\`\`: eigenpairs, 2 to 100,000.
         times : sequence of float, optional
-            Of \`\`'hks'\`\`: diffusion times as shares of the area.
+            For \`\`'hks'\`\`: diffusion times as shares of the area.
         threads, progress
             As of \`igf\`; signatures and distances use one thread.
 

@@ -113,7 +113,7 @@ class Refinement {
 
   std::vector<Vec3> positions_;
   std::vector<std::array<Index, 3>> faces_;
-  std::unordered_map<std::uint64_t, Index> faceOf_;  // of a halfedge, by its two vertices
+  std::unordered_map<std::uint64_t, Index> faceOf_;  // faces by the two vertices of a halfedge
   std::priority_queue<Edge> edges_;
   std::uint64_t seed_{1};
 };

@@ -10,8 +10,8 @@ namespace girth::cli {
 
 /// Medians over a collection (web/docs/choosing.md).
 struct TypicalDistance {
-  double poses;    ///< of two poses of one shape
-  double classes;  ///< of two shapes of different classes
+  double poses;    ///< between two poses of one shape
+  double classes;  ///< between two shapes of different classes
 };
 
 /// The typical distance of a descriptor, as measured on models scaled to area 1, by the exact

@@ -50,7 +50,7 @@ inline constexpr double kLeastCutShare = 1e-6;
 /// faces the other way. Where a closed curve runs round a body with cavities, or in one, and `cap`
 /// is set, its mean plane cuts the others as well, inside the body's curve; a given curve round the
 /// same place is taken instead. Their rims are closed by one cap with holes, of least area: the
-/// parts enclose together what the body did. What lies in no plane's way is left whole:
+/// parts enclose together what the body did. A cavity in no plane's way is left whole:
 /// partsOf counts it with the part that encloses it.
 ///
 /// No edge is made that is shorter than a millionth (kLeastCutShare) of the one that it is a part
@@ -61,8 +61,8 @@ inline constexpr double kLeastCutShare = 1e-6;
 /// place in its curve) where a point is none of the surface or two neighbours lie in no common
 /// face; INVALID_OPTION where curves cross inside a face, and where one lies inside a single face
 /// (element: the face), and where no cap with holes of up to 1000 edges closes a hollow body;
-/// LIMIT_EXCEEDED (too many faces to number); CANCELLED. Of the context only
-/// `cancel` matters.
+/// LIMIT_EXCEEDED (too many faces to number); CANCELLED. The context serves
+/// to cancel only.
 ///
 /// \code
 /// const girth::GirthField field = girth::girthField(mesh);

@@ -31,8 +31,8 @@ enum class FieldUnit : std::uint8_t {
 struct FieldInfo {
   std::string_view name;     ///< "sdf"
   std::string_view title;    ///< "Shape diameter"
-  std::string_view meaning;  ///< what a value is, as the middle of a sentence
-  FieldUnit unit;            ///< of its values
+  std::string_view meaning;  ///< words for a value, as the middle of a sentence
+  FieldUnit unit;            ///< unit of its values
   bool isSpectral;           ///< made of the spectrum (`fieldSignature`), not vertex by vertex
 };
 

@@ -51,7 +51,7 @@ class GIRTH_EXPORT GeodesicSolver {
   GeodesicSolver& operator=(GeodesicSolver&&) noexcept;
 
   /// Distance of every vertex from the source, in model units; infinite beyond the radius and in
-  /// other components. Of the context, only `cancel` matters. Errors: VERTEX_OUT_OF_RANGE,
+  /// other components. The context serves to cancel only. Errors: VERTEX_OUT_OF_RANGE,
   /// INVALID_POINT, INVALID_RADIUS (negative, or not a number), CANCELLED, LIMIT_EXCEEDED (more
   /// than the budget of windows).
   Result<std::vector<double>> distances(const SurfacePoint& source,

@@ -106,14 +106,14 @@ class GIRTH_EXPORT GirthSolver {
   /// Moves the scratch memory along.
   GirthSolver& operator=(GirthSolver&&) noexcept;
 
-  /// I(p) for vertex p. Of the context, only `cancel` matters. Errors:
+  /// I(p) for vertex p. The context serves to cancel only. Errors:
   /// VERTEX_OUT_OF_RANGE, INVALID_POINT, CANCELLED.
   Result<GirthValue> value(Vertex vertex, const ExecutionContext& context = {});
-  /// I(p) for any point p. The same context and errors.
+  /// I(p) for any point p. Context and errors are the same.
   Result<GirthValue> value(const SurfacePoint& point, const ExecutionContext& context = {});
-  /// I(p) for vertex p with its loop. The same context and errors.
+  /// I(p) for vertex p with its loop. Context and errors are the same.
   Result<GirthLoop> loop(Vertex vertex, const ExecutionContext& context = {});
-  /// I(p) for any point p with its loop. The same context and errors.
+  /// I(p) for any point p with its loop. Context and errors are the same.
   Result<GirthLoop> loop(const SurfacePoint& point, const ExecutionContext& context = {});
 
   /// The saddles of the distance from vertex p, and how long they last (girth/barcode.h). The same

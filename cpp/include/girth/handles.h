@@ -36,8 +36,8 @@ struct Handle {
   double mayBeShorterBy{0};
   HandleKind kind{HandleKind::Unknown};  ///< round the material, or round a hole
   /// The edges it crosses and the vertices it passes in order; the last point equals the first.
-  /// Between neighbours it is straight inside one face or along one edge. Of a band of parallel
-  /// loops the one in the middle.
+  /// Between neighbours it is straight inside one face or along one edge. Among parallel loops
+  /// in a band, it is the one in the middle.
   std::vector<SurfacePoint> points;
   /// Mean of the loop's points, each part counted by its length, in model units.
   Vec3 centre;

@@ -22,7 +22,7 @@ struct AxisStation {
   double girth{0};  ///< the loop's length, in model units
   /// A point of the axis: the mean of the loop's points, each part counted by its length.
   Vec3 centre;
-  double area{0};  ///< that the loop encloses in its mean plane, in squared model units
+  double area{0};  ///< the area that the loop encloses in its mean plane, in squared model units
   /// The loop, as GirthLoop::points; the last point equals the first.
   std::vector<SurfacePoint> points;
 };

@@ -95,8 +95,8 @@ struct LimbOptions {
 /// of a loop that was traced. Where the loop at the least does not go round the limb, eight others
 /// are tried, at equal shares of the ring by rising girth. Where the least exceeds the median, as
 /// on triangles as large as the limb is thick, these eight are asked for the exact girth, and the
-/// median is theirs. Of points with equal values the shape around them decides, not their numbers:
-/// a limb has the same measures, to rounding, wherever it lies and however it is numbered.
+/// median is theirs. Among points with equal values the shape around them decides, not their
+/// numbers: a limb has the same measures, to rounding, wherever it lies and however it is numbered.
 ///
 /// `girth`: I(v) for each vertex, NaN where there is none. `tips`: of findTips, all or some. Time:
 /// for each tip one distance field, about O(n^1.5), and some loops for each station, on all

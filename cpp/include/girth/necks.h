@@ -24,8 +24,8 @@ struct Neck {
   /// is measured on.
   double prominence{std::numeric_limits<double>::infinity()};
   /// The loop: the edges it crosses and the vertices it passes in order; the last point equals the
-  /// first. Between neighbours it is straight inside one face or along one edge. Of a band of
-  /// parallel loops the one in the middle.
+  /// first. Between neighbours it is straight inside one face or along one edge. Among
+  /// parallel loops in a band, it is the one in the middle.
   std::vector<SurfacePoint> points;
   /// Width of the band of parallel loops of the same length, in model units: 0 for a single one.
   double width{0};
@@ -85,8 +85,8 @@ struct Necks {
 /// both ends of a piece along which one loop of theirs can be moved. So a way of this height
 /// exists, to a hundredth of the greater of the two (but where the girth jumps); a lower one that
 /// lies between vertices that are all higher, far from this one, is not seen. Less than a
-/// thousandth of the length is given as 0. Of necks of equal length (to 1e-9) the one that is
-/// listed first counts as narrower.
+/// thousandth of the length is given as 0. Among necks of equal length (to 1e-9), the first
+/// one in the list counts as narrower.
 ///
 /// `girth`: I(v) for each vertex; where it is NaN (not computed), the surface has no loop and no
 /// way. Time: one loop for each vertex, about O(n^1.5) for all of n where they are short, and

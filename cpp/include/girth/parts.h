@@ -57,7 +57,7 @@ struct PartOptions {
 
 /// A connected region of one kind.
 struct GIRTH_EXPORT Part {
-  PartKind kind{PartKind::Body};  ///< that of all its vertices
+  PartKind kind{PartKind::Body};  ///< the kind of all its vertices
   std::vector<Vertex> vertices;   ///< its vertices, in rising order
   double area{0};                 ///< sum of the vertices' areas, in squared model units
   /// Median of the girth over the region, in model units; NaN where it is unknown.
@@ -74,8 +74,8 @@ struct GIRTH_EXPORT Part {
 
 /// A surface divided into parts.
 struct Parts {
-  std::vector<PartKind> kinds;  ///< of the vertices
-  std::vector<Index> partOf;    ///< of the vertices, a number in `parts`
+  std::vector<PartKind> kinds;  ///< the kind of each vertex
+  std::vector<Index> partOf;    ///< the part of each vertex, a number in `parts`
   std::vector<Part> parts;      ///< largest area first
 };
 

@@ -57,8 +57,8 @@ GIRTH_EXPORT Result<std::vector<PathStation>> girthAlong(const SurfaceMesh& mesh
                                                          const ExecutionContext& context = {});
 
 /// The narrowest place of a path near its narrowest stations: where the girth is least between
-/// their neighbours, to 1e-9 of it. That nothing narrower lies between two other stations is not
-/// proven. `stations`: of girthAlong for the same path. Time: some fifty values for each of up to
+/// their neighbours, to 1e-9 of it. It is not proven that nothing narrower lies between two other
+/// stations. `stations`: of girthAlong for the same path. Time: some fifty values for each of up to
 /// 16 stations. Errors: as girthAlong; USAGE where there is no station.
 GIRTH_EXPORT Result<PathStation> leastAlong(const SurfaceMesh& mesh,
                                             std::span<const SurfacePoint> path,

@@ -151,12 +151,12 @@ struct PreparedSurface {
 
 /// Makes a surface of any triangles: welds, drops faces without area and duplicates, orients, cuts
 /// where more than two faces meet or parts touch, chooses components, and fills holes if asked to;
-/// other open edges become boundaries. What the input's own vertex numbers close stays closed, also
-/// where bodies touch or cross at equal positions; where their sides lie in one plane, bodies that
-/// the input lists one after the other are told apart by the order of their faces. Faces and
-/// vertices keep the order of the input. Equal arrays always give the same surface, and preparing a
-/// prepared surface's arrays once more gives the same arrays. O(n log n) in the faces; about 200
-/// bytes a face, and as many an open edge.
+/// other open edges become boundaries. Bodies that the input's own vertex numbers close stay
+/// closed, also where bodies touch or cross at equal positions; where their sides lie in one plane,
+/// bodies that the input lists one after the other are told apart by the order of their faces.
+/// Faces and vertices keep the order of the input. Equal arrays always give the same surface, and
+/// preparing a prepared surface's arrays once more gives the same arrays. O(n log n) in the faces;
+/// about 200 bytes a face, and as many an open edge.
 ///
 /// Errors: EMPTY_MESH (nothing is left, and why), NON_FINITE_POSITION (vertex of the input
 /// that a triangle has), INDEX_OUT_OF_RANGE (triangle of the input), INVALID_OPTION (a distance

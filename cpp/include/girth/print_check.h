@@ -71,7 +71,7 @@ GIRTH_EXPORT std::string_view toString(CreaseKind kind);
 /// A connected place where measures are below a limit, but where no wall and no gap is. It does not
 /// fail.
 struct Crease {
-  CreaseKind kind{CreaseKind::Crease};  ///< that of its thinnest point
+  CreaseKind kind{CreaseKind::Crease};  ///< the kind of its thinnest point
   /// The sharp edges in it together, in model units; 0 where faces only touch.
   double length{0};
   /// In squared model units.
@@ -130,7 +130,7 @@ GIRTH_EXPORT std::optional<Error> whyNotChecked(const SurfaceMesh& mesh, const P
 /// - Creases are told from both: material that is thin only where faces run into each other at an
 ///   angle, up to thick material within two limits; lips; and what rounding alone makes.
 /// - Tubes, where the girth is below 2π times the limit: the least width of the cross-section
-///   inside the loop, or the girth by π where that is less. What is longer round is a wall.
+///   inside the loop, or the girth by π where that is less. A place longer round is a wall.
 ///
 /// A length below a limit by a millionth of it passes, of walls and gaps by the rounding of the
 /// coordinates in single precision.

@@ -42,8 +42,8 @@ struct Spectrum {
 /// longer by the least length that mends it ('intrinsic mollification', Sharp and Crane 2020).
 ///
 /// The solver is Lanczos' method with shift and inversion and implicit restarts (Spectra), each
-/// component by itself. That none is missing, copies of multiple values among them, is checked by
-/// Sylvester's law of inertia. Values are those of the matrices to about 1e-10 relative; within the
+/// component by itself. Sylvester's law of inertia checks that none is missing, copies of multiple
+/// values among them. Values are those of the matrices to about 1e-10 relative; within the
 /// space of a multiple value the basis is arbitrary.
 ///
 /// One input always gives the same bits, on any number of threads (it uses one); another

@@ -10,6 +10,7 @@
 #include "girth/elements.h"
 #include "girth/error.h"
 #include "girth/export.h"
+#include "girth/version.h"
 
 namespace girth {
 
@@ -24,6 +25,7 @@ struct Vec3 {
 enum class OpenEdges : std::uint8_t {
   Refuse,    ///< OPEN_EDGE: only closed surfaces are wanted
   Boundary,  ///< paths may run along them but not across (web/docs/definitions.md, section 2)
+  Wall GIRTH_DEPRECATED("use Boundary") = Boundary,  ///< the older name of Boundary, until 2.0
 };
 
 /// The surface: flat triangles, curved only at its vertices (web/docs/definitions.md,

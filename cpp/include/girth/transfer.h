@@ -15,8 +15,8 @@ namespace girth {
 /// (web/docs/definitions.md, section 2).
 inline constexpr double kSteepestGirth = 2;
 
-/// For each vertex of `points` the nearest point of `surface`, in space. Of faces that lie back to
-/// back those count that face the same way as the vertex does, so that values do not jump through
+/// For each vertex of `points` the nearest point of `surface`, in space. Where faces lie back to
+/// back, those count that face the same way as the vertex does, so that values do not jump through
 /// thin walls. O((n + m) log n).
 GIRTH_EXPORT std::vector<SurfacePoint> nearestPoints(const SurfaceMesh& surface,
                                                      const SurfaceMesh& points);

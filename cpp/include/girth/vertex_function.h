@@ -28,8 +28,8 @@ using VertexEvaluator = std::function<Result<Value>(Vertex vertex)>;
 /// `Value`: what it has at a vertex, such as double or GirthValue.
 template <class Value>
 struct VertexFunction {
-  /// Makes an evaluator; may be called by several threads at once. Of the context only `cancel`
-  /// matters, which is copied: what it points at must outlive the evaluator.
+  /// Makes an evaluator; may be called by several threads at once. The context serves to
+  /// cancel only, and `cancel` is copied: what it points at must outlive the evaluator.
   std::function<VertexEvaluator<Value>(const ExecutionContext& context)> evaluator;
 };
 

@@ -13,7 +13,8 @@ namespace girth::io {
 /// is none of those known here.
 std::optional<Error> foreignFormat(std::string_view bytes);
 
-/// That error for a file that may be a model: nothing for files beside models, such as pictures.
+/// The error of `foreignFormat` for a file that may be a model: nothing for files beside models,
+/// such as pictures.
 GIRTH_EXPORT std::optional<Error> foreignModel(std::string_view bytes);
 
 }  // namespace girth::io

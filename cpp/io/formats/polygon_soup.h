@@ -71,10 +71,10 @@ class PolygonSoup {
 
  private:
   std::vector<Index> corners_;
-  std::vector<Index> values_;  ///< of the corners; empty, or short, as long as none was set
-  std::vector<Index> sizes_;   ///< of the polygons; empty as long as all are triangles
+  std::vector<Index> values_;  ///< values by corner; empty, or short, as long as none was set
+  std::vector<Index> sizes_;   ///< corners of each polygon; empty as long as all are triangles
   std::size_t polygons_{0};
-  std::size_t begin_{0};              ///< of the polygon that is being collected
+  std::size_t begin_{0};              ///< first corner of the polygon that is being collected
   std::vector<std::size_t> leftOut_;  ///< for each that is, the polygons before it
   /// Corners ahead of their vertices, each naming a later one than all before it: the first that
   /// lies outside is among them however many vertices there are in the end.

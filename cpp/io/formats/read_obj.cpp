@@ -260,7 +260,7 @@ class ObjReader {
   TriangleSoup& soup() { return model_.soup; }
 
   Words words_;
-  std::int64_t line_{0};  ///< of the statement
+  std::int64_t line_{0};  ///< the line of the statement
   ReadModel model_;
   PolygonSoup faces_;
   LostVertices lost_;

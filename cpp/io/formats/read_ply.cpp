@@ -39,8 +39,8 @@ enum class Scalar : std::uint8_t {
   UInt64,
   Float32,
   Float64,
-  TwoBytes,      // what is not read, but passed over in binary files
-  SixteenBytes,  // the same
+  TwoBytes,      // passed over in binary files, not read
+  SixteenBytes,  // passed over, too
   Unknown        // text alone can be passed over
 };
 
@@ -542,7 +542,7 @@ class BodyReader {
   struct Component {
     std::size_t attribute{kNoAttribute};
     Index place{0};
-    double most{1};  // what stands for 1
+    double most{1};  // the number that stands for 1
   };
 
   /// Colours and texture coordinates stand together and in order, as everybody writes them;

@@ -192,7 +192,7 @@ class AsciiStlReader {
   bool inLoop_{false};
   bool open_{false};  ///< a solid that has not ended
   std::size_t solids_{0};
-  std::int64_t lastLine_{0};  ///< of the last word
+  std::int64_t lastLine_{0};  ///< the line of the last word
   PassedText passed_;         ///< behind keywords and their numbers
 };
 

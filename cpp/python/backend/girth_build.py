@@ -76,7 +76,7 @@ def _pybind11_of_the_system() -> tuple[int, int] | None:
 
 
 def get_requires_for_build_wheel(config_settings: dict | None = None) -> list[str]:
-    """What pip is to fetch before: nothing that the system has."""
+    """Packages that pip is to fetch before: none that the system has."""
     wanted = [] if _pybind11_of_the_system() else ["pybind11>=2.12"]
     wanted += [] if _has_cmake() else [f"cmake>={CMAKE[0]}.{CMAKE[1]}"]
     return wanted + ([] if shutil.which("ninja") else ["ninja"])
@@ -93,7 +93,7 @@ def _has_cmake() -> bool:
 
 
 def _check_python() -> None:
-    """That this Python can have modules compiled for it; before the minutes that compiling takes."""
+    """Checks that this Python can have modules compiled for it, before the minutes that compiling takes."""
     header = Path(sysconfig.get_path("include")) / "Python.h"
     if not header.exists():
         number = f"{sys.version_info[0]}.{sys.version_info[1]}"
@@ -157,7 +157,7 @@ def _compile(settings: dict) -> Path:
 
 
 def _files(module: Path) -> dict[str, bytes]:
-    """What is in the package, by its place in the wheel."""
+    """Files of the package, by their places in the wheel."""
     content = {
         path.relative_to(PACKAGE).as_posix(): path.read_bytes()
         for path in sorted((PACKAGE / "pygirth").rglob("*"))
@@ -240,5 +240,5 @@ def build_sdist(sdist_directory: str, config_settings: dict | None = None) -> st
 
 
 def get_requires_for_build_sdist(config_settings: dict | None = None) -> list[str]:
-    """What pip is to fetch before: nothing."""
+    """Packages that pip is to fetch before: none."""
     return []

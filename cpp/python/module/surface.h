@@ -53,7 +53,7 @@ class Surface {
   io::LoadedMesh loaded_;
   mutable std::mutex fields_;
   mutable std::shared_ptr<const GirthField> girth_, persistentGirth_;
-  mutable double persistence_{0};  // of the latter
+  mutable double persistence_{0};  // the persistence of `persistentGirth_`
   mutable std::shared_ptr<const std::vector<double>> diameter_;
   /// A thread that finds the kept solver in use makes one for itself.
   mutable std::mutex loops_, geodesics_;

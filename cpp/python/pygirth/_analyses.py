@@ -186,9 +186,9 @@ class Analyses:
         Between the heights of two vertices the perimeter is linear in the offset, and the tape
         convex: the greatest, and the least perimeter, are at such a height, just above one (by
         2e-12 of the greatest coordinate), or at an end of the range; the least tape is found
-        between them, by parabolas and golden sections (Brent 1973). Of equal ones the lowest.
-        Time: O(c log c) for the edges that planes at all heights of vertices cross, on all
-        threads; the same result for any number of them. Errors: INVALID_OPTION (a normal
+        between them, by parabolas and golden sections (Brent 1973). Among equal ones, it is the
+        lowest. Time: O(c log c) for the edges that planes at all heights of vertices cross, on
+        all threads; the same result for any number of them. Errors: INVALID_OPTION (a normal
         without length, no range, or no plane of it that meets the surface), CANCELLED.
         """
         options = (

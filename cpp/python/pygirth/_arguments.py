@@ -139,7 +139,7 @@ def running(threads: Optional[int], progress: Progress) -> "_girth.Running":
 
 
 def reporter(progress: Progress) -> Optional[Callable[[float], object]]:
-    """What is called with the finished share; None where nobody asks for it."""
+    """The function that is called with the finished share; None where nobody asks for it."""
     if progress is None or callable(progress):
         return progress
     if not hasattr(progress, "update"):

@@ -42,23 +42,23 @@ class Fields:
         name : str
             One of `FIELDS`; the documentation of the outputs states what each is.
         rays : int, optional
-            Of ``'sdf'``: Rays sent from each vertex, 1 to 10,000.
+            For ``'sdf'``: Rays sent from each vertex, 1 to 10,000.
         cone : float, in degrees, optional
-            Of ``'sdf'``: opening of the cone.
+            For ``'sdf'``: opening of the cone.
         sharp : float, in degrees, optional
-            Of ``'thickness'``: edges sharper than this thin out to nothing.
+            For ``'thickness'``: edges sharper than this thin out to nothing.
         exact : bool, optional
-            Of ``'geoaverage'`` and ``'geofarthest'``: exact distances, not by fast marching.
+            For ``'geoaverage'`` and ``'geofarthest'``: exact distances, not by fast marching.
         from_ : point or sequence of points, optional
-            Of ``'distance'``: Where distances are measured from: each is that from the nearest
+            For ``'distance'``: Where distances are measured from: each is that from the nearest
             of these points.
         radius : float, optional
-            Of ``'distance'``: Vertices farther away than this, in model units, have an infinite
-            distance.
+            For ``'distance'``: Vertices farther away than this, in model units, have an
+            infinite distance.
         pairs : int, optional
-            Of ``'hks'``, ``'sihks'`` and ``'wks'``: eigenpairs, 2 to 100,000.
+            For ``'hks'``, ``'sihks'`` and ``'wks'``: eigenpairs, 2 to 100,000.
         times : sequence of float, optional
-            Of ``'hks'``: diffusion times as shares of the area.
+            For ``'hks'``: diffusion times as shares of the area.
         threads, progress
             As of `igf`; signatures and distances use one thread.
 

@@ -212,8 +212,8 @@ class Handle(_Members):
         Mean of the loop's points, each part counted by its length, in model units.
     points : ndarray of float64, shape (k, 3)
         The edges it crosses and the vertices it passes in order; the last point equals the
-        first. Between neighbours it is straight inside one face or along one edge. Of a band of
-        parallel loops the one in the middle.
+        first. Between neighbours it is straight inside one face or along one edge. Among
+        parallel loops in a band, it is the one in the middle.
     """
 
     length: float
@@ -279,7 +279,7 @@ class AxisLoop(_Members):
     girth : float
         The loop's length, in model units.
     area : float
-        That the loop encloses in its mean plane, in squared model units.
+        The area that the loop encloses in its mean plane, in squared model units.
     centre : ndarray of float64, shape (3,)
         A point of the axis: the mean of the loop's points, each part counted by its length.
     points : ndarray of float64, shape (k, 3)
@@ -399,7 +399,7 @@ class Neck(_Members):
     points : ndarray of float64, shape (k, 3)
         The loop: the edges it crosses and the vertices it passes in order; the last point
         equals the first. Between neighbours it is straight inside one face or along one edge.
-        Of a band of parallel loops the one in the middle.
+        Among parallel loops in a band, it is the one in the middle.
     """
 
     length: float
@@ -423,7 +423,7 @@ class Part(_Members):
     Attributes
     ----------
     kind : str
-        That of all its vertices. ``"body"``: Thick. ``"tube"``: Thin, and a short loop goes
+        The kind of all its vertices. ``"body"``: Thick. ``"tube"``: Thin, and a short loop goes
         round it. ``"plate"``: Thin, but no short loop goes round it. ``"unknown"``: Its girth
         or its shape diameter has no value.
     area : float
@@ -462,7 +462,7 @@ class Maximum(_Members):
         The field there, in its unit.
     persistence : float
         How far one must go down from it, at least, to reach a higher maximum: 0 or more, in the
-        field's unit. Of the highest of a component: how far down to its least value.
+        field's unit. For the highest of a component: how far down to its least value.
     saddle : int
         The vertex where its surroundings meet those of a higher maximum; none for the highest.
         -1 where there is none, or the preparation made it.
@@ -516,10 +516,10 @@ class Crease(_Members):
     Attributes
     ----------
     kind : str
-        That of its thinnest point. ``"crease"``: Faces run into each other, or end in a lip of
-        an eighth of the limit. ``"rounding"``: Faces touch, to the rounding of coordinates in
-        single precision. ``"sliver"``: A triangle is so low that rounding alone decides where
-        it faces.
+        The kind of its thinnest point. ``"crease"``: Faces run into each other, or end in a lip
+        of an eighth of the limit. ``"rounding"``: Faces touch, to the rounding of coordinates
+        in single precision. ``"sliver"``: A triangle is so low that rounding alone decides
+        where it faces.
     length : float
         The sharp edges in it together, in model units; 0 where faces only touch.
     area : float

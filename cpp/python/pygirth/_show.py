@@ -12,7 +12,6 @@ from typing import Any, Iterable, Optional, Sequence, Union
 
 import numpy as np
 
-from pygirth import _girth
 from pygirth._arguments import one_of, path_of, real_number, running, whole_number
 from pygirth.errors import MissingPackageError, input_error
 from pygirth.mesh import FIELDS, Mesh, as_mesh
@@ -22,8 +21,6 @@ __all__ = ["Shown", "show"]
 
 COLORMAPS = ("viridis", "cividis", "plasma", "magma", "turbo", "rdbu")
 
-#: The symbols by which pages call units of length.
-SYMBOLS = _girth.length_unit_symbols()
 
 #: Surfaces that lie farther from the origin, in their own sizes, are drawn from a point of theirs.
 FAR = 64
@@ -65,7 +62,7 @@ class Shown:
     page : str
         The whole page, as HTML.
     height : int
-        Of the fragment in a notebook, in CSS pixels.
+        The height of the fragment in a notebook, in CSS pixels.
     """
 
     def __init__(self, page: str, title: str, height: int) -> None:
@@ -116,12 +113,12 @@ def show(
     Parameters
     ----------
     model : anything that `as_mesh` takes, or Field
-        Of a `Field` its mesh, coloured by it.
+        A `Field` stands for its mesh, coloured by it.
     field : Field, str or array_like of float, shape (n,), optional
-        What colours it: a result, the name of a field, which is computed, or one value for each row
-        of ``vertices``; NaN is grey. Default: nothing.
+        The values that colour it: a result, the name of a field, which is computed, or one value for
+        each row of ``vertices``; NaN is grey. Default: nothing.
     title : str, optional
-        What the legend calls the values. Default: the field's usual name.
+        The legend's words for the values. Default: the field's usual name.
     colormap : {'viridis', 'cividis', 'plasma', 'magma', 'turbo', 'rdbu'}, optional
     range : (float, float), optional
         The values at the ends of the colour map. Default: the body of the values.
@@ -138,7 +135,7 @@ def show(
     points : iterable of int, optional
         Vertices that are marked, such as ``m.tips().apexes``.
     name : str, optional
-        What is shown.
+        The name of what is shown.
     height : int, optional
         In a notebook, in CSS pixels, 100 to 10,000.
 
@@ -225,7 +222,7 @@ def _program() -> str:
 def _values_of(
     mesh: Mesh, field: Any
 ) -> tuple[str, str, Optional[np.ndarray], np.ndarray, str]:
-    """What the page calls the field, the legend's words where these are not its own, values and
+    """The page's name of the field, the legend's words where these are not its own, values and
     kinds at the surface's vertices, and the method."""
     kinds = np.zeros(0, np.uint8)
     if field is None:
@@ -291,7 +288,7 @@ def _surface(mesh: Mesh, name: str) -> dict[str, Any]:
     is_plain = np.array_equal(rows, np.arange(len(rows)))
     return {
         "name": name,
-        "unit": SYMBOLS.get(mesh.unit, mesh.unit if mesh.unit in SYMBOLS.values() else ""),
+        "unit": mesh.unit,
         "origin": origin.tolist(),
         "size": (high - low).tolist(),
         "area": core.area,

@@ -1,4 +1,4 @@
-"""What is raised where something is wrong.
+"""Exceptions that are raised where something is wrong.
 
 Every exception of Girth has a ``code`` of one table (`error_codes`), the first offending
 ``element``, and a ``hint``: what to do about it.
@@ -34,9 +34,9 @@ class GirthError(Exception):
     element : int
         The first offending vertex, face, line or byte, as the message states; -1: none.
     message : str
-        What is wrong and where.
+        The fault, and where it is.
     hint : str
-        What to do about it; may be empty.
+        The remedy; may be empty.
     file : str
         The file that it is about; empty where no path was given.
     """
@@ -90,7 +90,7 @@ class MissingPackageError(GirthError, ModuleNotFoundError):
     Attributes
     ----------
     name : str
-        Of the package.
+        The name of the package.
     """
 
     @classmethod

@@ -98,7 +98,7 @@ class Mesh(Analyses, Fields):
     scale : float, optional
         Multiplies all positions first.
     unit : str, optional
-        What lengths are in, such as ``"mm"`` or ``"millimetre"``; empty where it is not known.
+        The unit of lengths, such as ``"mm"`` or ``"millimetre"``; empty where it is not known.
 
     Raises
     ------
@@ -195,7 +195,7 @@ class Mesh(Analyses, Fields):
 
     @property
     def unit(self) -> str:
-        """What lengths are in; empty where it is not known. Files in glTF have metres."""
+        """The unit of lengths, by its name; empty where it is not known. Files in glTF have metres."""
         return self._unit
 
     @property
@@ -210,7 +210,7 @@ class Mesh(Analyses, Fields):
 
     @property
     def notes(self) -> list[str]:
-        """What the reader of the file did that one may want to know, in sentences."""
+        """Remarks of the reader of the file, in sentences."""
         return self._surface.notes
 
     def surface(self) -> "Mesh":
@@ -477,7 +477,7 @@ class Mesh(Analyses, Fields):
         Returns
         -------
         Necks
-            Those of the command ``girth necks --min-prominence 0``, to the bit.
+            The necks of the command ``girth necks --min-prominence 0``, to the bit.
         """
         least = _not_negative(min_prominence, "min_prominence")
         found, unresolved = _girth.necks(self._surface, least, running(threads, progress))
@@ -509,7 +509,7 @@ class Mesh(Analyses, Fields):
         Returns
         -------
         Segments
-            Those of the command ``girth segments --min-prominence 0``, to the bit.
+            The segments of the command ``girth segments --min-prominence 0``, to the bit.
         """
         least = _not_negative(min_prominence, "min_prominence")
         limits = _thresholds(girth, shape_diameter, thickness)
@@ -540,7 +540,7 @@ class Mesh(Analyses, Fields):
         Returns
         -------
         Handles
-            Those of the command ``girth handles``, to the bit.
+            The handles of the command ``girth handles``, to the bit.
         """
         found, unresolved = _girth.handles(
             self._surface, _base_points(base_points), running(threads, progress)
@@ -631,7 +631,7 @@ class Mesh(Analyses, Fields):
         Returns
         -------
         PrintCheck
-            That of the command ``girth parts --min-tube --min-wall --min-gap``, to the bit.
+            The check of the command ``girth parts --min-tube --min-wall --min-gap``, to the bit.
 
         Raises
         ------
@@ -736,7 +736,7 @@ class Mesh(Analyses, Fields):
         Parameters
         ----------
         limb : Limb
-            Of this mesh, by `limbs`; as many loops as loops go round at its stations.
+            A limb of this mesh, by `limbs`; as many loops as loops go round at its stations.
         threads, progress
             As of `igf`.
 
@@ -761,7 +761,7 @@ class Mesh(Analyses, Fields):
         Parameters
         ----------
         loops : Loop, Neck, Handle, Bottleneck, AxisLoop, or sequence of them
-            Of this mesh; they may touch, but not cross each other.
+            Loops of this mesh; they may touch, but not cross each other.
         cap : bool, optional
             Closes the rims that cutting makes.
         progress
@@ -895,7 +895,7 @@ class Mesh(Analyses, Fields):
         return Mesh(*arrays, unit=self._unit)
 
     def subdivide(self, n: int, *, progress: Progress = None) -> "Mesh":
-        """The same surface in more triangles: the longest edges are cut in two.
+        """Divides the surface into more triangles: the longest edges are cut in two.
 
         The surface stays where it is, and so does its girth; vertices keep their order, and new
         ones follow.
@@ -951,7 +951,7 @@ class Mesh(Analyses, Fields):
             written as the command ``girth field`` does, with .csv, .json, .npy, .ply or .glb.
             A file that is there is replaced by the whole new one, or not at all.
         *fields : Field
-            Of this mesh. NPY holds one.
+            Fields of this mesh. NPY holds one.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""What the functions of Girth return: small classes with arrays.
+"""Results of the functions of Girth: small classes with arrays.
 
 Vertices are numbered as in the arrays or the file that the mesh was made of, from 0. Lengths are in
 model units.
@@ -68,7 +68,7 @@ class Field(NDArrayOperatorsMixin, Result):
     Attributes
     ----------
     mesh : Mesh
-        Of which they are.
+        The mesh that they are of.
     name : str
         Such as ``"sdf"``.
     values : ndarray of float64, shape (n,), or (n, d) where a vertex has several numbers
@@ -107,12 +107,12 @@ class Field(NDArrayOperatorsMixin, Result):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """That of `values`."""
+        """The shape of `values`."""
         return self.values.shape
 
     @property
     def dtype(self) -> np.dtype:
-        """That of `values`."""
+        """The type of `values`."""
         return self.values.dtype
 
     def min(self, axis: Optional[int] = None) -> Any:
@@ -223,8 +223,8 @@ class RefinedGirth(Girth):
         How sure each value is: 0 proved (exact), 1 consistent (in agreement with all neighbours),
         2 suspect; 255 where there is no vertex.
     audit : dict
-        Of how many ``vertices``, drawn at random, the values were ``equal`` to the exact ones to
-        1e-6, so that with a probability of 95% the share of all is between ``at_least`` and
+        States of how many ``vertices``, drawn at random, the values were ``equal`` to the exact ones
+        to 1e-6, so that with a probability of 95% the share of all is between ``at_least`` and
         ``at_most``; and the ``median``, ``percentile95`` and ``greatest`` difference, as shares.
     """
 
@@ -266,7 +266,7 @@ class Barcode(Result):
         is filled up to `max_persistence` behind the birth. The last saddle is the first that lasts
         longer than that.
     loops : list of Loop
-        Of each saddle, where they were asked for; otherwise empty.
+        The loop of each saddle, where they were asked for; otherwise empty.
     max_persistence : float
         Persistence is known up to this, in model units.
     rest : float
@@ -482,7 +482,7 @@ class CutPart(_members.PartMeasures):
 
 
 class Cut(Result):
-    """What is left of a mesh that was cut, largest part first; a sequence of `CutPart`.
+    """The parts of a mesh that was cut, the largest first; a sequence of `CutPart`.
 
     Attributes
     ----------
@@ -535,7 +535,7 @@ class Tips(Result):
     Attributes
     ----------
     mesh : Mesh
-        Of which they are.
+        The mesh that they are of.
     tips : list of Tip
     arcs : list of Contour
         Parts of the contour that are no tip's, longest first.
@@ -580,7 +580,7 @@ class Parts(Result):
     Attributes
     ----------
     mesh : Mesh
-        Of which they are.
+        The mesh that they are of.
     parts : list of Part
     labels : ndarray of int64, shape (n,)
         For each row of ``mesh.vertices`` its part's number; -1 where the vertex was dropped.
@@ -638,7 +638,7 @@ class Segments(Result):
     Attributes
     ----------
     mesh : Mesh
-        Of which they are.
+        The mesh that they are of.
     segments : list of Segment
     labels : ndarray of int64, shape (m,)
         For each row of ``mesh.faces`` the segment that has most of its area; -1 where the face was

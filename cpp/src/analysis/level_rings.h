@@ -35,7 +35,7 @@ struct RingPoint {
 
 /// The girth along one ring.
 struct RingGirth {
-  double length{0};  ///< of the ring
+  double length{0};  ///< the length of the ring
   double median{0};  ///< by length; NaN where no part has a value
   /// Points in rising order of their girths: the least of all, then the middles of equal shares of
   /// the ring's length. Empty where no part has a value.

@@ -528,8 +528,8 @@ class LimbMaker {
   std::vector<double> distances_;  // from the apex
   UnreachedRest rest_;
   Reach reach_;
-  std::vector<bool> blockedEdge_;  // of the halfedges
-  std::vector<Index> visited_;     // of the vertices: by which search
+  std::vector<bool> blockedEdge_;  // by halfedge
+  std::vector<Index> visited_;     // by vertex: the search that has visited it
   Index visit_{0};
 };
 

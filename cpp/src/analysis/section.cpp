@@ -355,7 +355,7 @@ class SectionCutter {
   int outwards_;
   double slack_{0};
   std::vector<double> heights_;
-  std::vector<std::pair<double, double>> ranges_;  ///< of the faces
+  std::vector<std::pair<double, double>> ranges_;  ///< heights of each face, from and to
 };
 
 }  // namespace

@@ -118,7 +118,7 @@ class Pieces {
   std::span<const double> girth_;
   std::vector<bool> crossed_;
   std::vector<Halfedge> edges_;
-  std::vector<Index> pieceOf_;  // of the vertices
+  std::vector<Index> pieceOf_;  // by vertex
   std::vector<std::vector<Vertex>> vertices_;
   std::vector<double> level_;  // the median girth of a piece
   /// For two pieces that meet, by how much the girth of the first is larger, edge by edge.
@@ -259,8 +259,8 @@ class TipMaker {
   const SurfaceMesh& mesh_;
   std::span<const double> girth_;
   GeodesicSolver solver_;
-  std::vector<bool> inside_;   // of the vertices
-  std::vector<bool> crossed_;  // of the halfedges
+  std::vector<bool> inside_;   // by vertex
+  std::vector<bool> crossed_;  // by halfedge
 };
 
 /// Whether `rim` and one that is kept have more than half of their edges, of either, in common.

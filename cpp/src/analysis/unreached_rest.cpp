@@ -34,7 +34,7 @@ class VertexSets {
 struct RestPart {
   Vertex highest;
   bool open{false};          ///< it has boundary vertices
-  std::vector<Index> parts;  ///< what it falls apart into, at last
+  std::vector<Index> parts;  ///< parts that it falls into, at last
   Vertex split;              ///< the vertex at which it does
 };
 

@@ -44,7 +44,7 @@ struct DistanceField {
 
   const SurfaceMesh& mesh;
   geodesic::Unfolding unfolding;
-  std::vector<SurfacePoint> from;  ///< of the unfolding
+  std::vector<SurfacePoint> from;  ///< points in the numbers of the unfolding
   double radius{0};
   std::mutex finding;
   std::vector<double> values;

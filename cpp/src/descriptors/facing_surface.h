@@ -77,7 +77,7 @@ class FacingSurface {
 
   const SurfaceMesh& mesh_;
   double side_;      // 1 inside, −1 outside
-  double cosSharp_;  // of the angle below which faces face each other
+  double cosSharp_;  // cosine of the angle below which faces face each other
   std::vector<Vec3> normals_;
   // Edges and corners of each face that stick into the body (or out of it) sharply.
   std::vector<std::uint8_t> spikes_;

@@ -20,13 +20,13 @@ namespace girth {
 struct TouchingBall {
   double diameter{std::numeric_limits<double>::infinity()};
   Vec3 from, to;
-  Face across{Face::none};  ///< that it reaches; none until a surface says so
+  Face across{Face::none};  ///< the face that it reaches; none until a surface says so
 };
 
 /// A flat convex piece of the surface that balls are to reach: a triangle, a segment or a point.
 struct Target {
   std::array<Vec3, 3> corners;
-  std::size_t count{3};  ///< of its corners
+  std::size_t count{3};  ///< the number of its corners
   /// The unit normal of a triangle, away from where balls come from.
   Vec3 normal;
 };

@@ -30,8 +30,8 @@ class TriangleTree {
  private:
   struct Build;
 
-  Vec3 centre_;      // of the surface; boxes are relative to it
-  double scale_{1};  // and times this, a power of two: the surface is about as large as 1
+  Vec3 centre_;      // the middle of the surface; boxes are relative to it
+  double scale_{1};  // factor of boxes, a power of two: the surface is about as large as 1
   std::vector<TreeNode> nodes_;
   std::vector<TriangleBlock> blocks_;
 };

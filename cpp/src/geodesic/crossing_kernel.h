@@ -16,7 +16,8 @@ struct CrossingBatch {
   const WindowRun* newest;  ///< the last pending run; those before it follow by `older`
   std::uint32_t first;      ///< number of the first pending window
   std::uint32_t count;      ///< number of pending windows
-  double distanceFrom, distanceTo, distanceApex;  ///< of the three corners; infinite: not reached
+  double distanceFrom, distanceTo,
+      distanceApex;  ///< distances of the three corners; infinite: not reached
 };
 
 struct CrossingResult {

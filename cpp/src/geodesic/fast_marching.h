@@ -23,8 +23,8 @@ class GIRTH_EXPORT MarchingStencils {
   /// A triangle, of the surface or laid out, over the vertex it belongs to.
   struct Stencil {
     Index a, b;               ///< its other corners
-    double lengthA, lengthB;  ///< of the sides to them
-    double cosine;            ///< of the angle between these sides
+    double lengthA, lengthB;  ///< lengths of the sides to them
+    double cosine;            ///< cosine of the angle between these sides
   };
   const SurfaceMesh& mesh() const { return *mesh_; }
   /// Numbers of the stencils that a vertex is a corner `a` or `b` of.

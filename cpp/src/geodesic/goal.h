@@ -27,8 +27,8 @@ class Goal {
     const Crossing c = unfolding_->crossing(halfedge);
     return isInTime(length + (leastFrom(c.from()) + leastFrom(c.to()) - c.length()) / 2);
   }
-  /// And one that is so long at a vertex, within two edges more: what is known of vertices a little
-  /// aside keeps paths apart from shorter ones.
+  /// Whether a path that is so long at a vertex may, within two edges more: what is known of
+  /// vertices a little aside keeps paths apart from shorter ones.
   bool isInReachOf(Index vertex, double length) const {
     return isInTime(length + leastFrom(vertex) - aside_);
   }

@@ -400,7 +400,7 @@ void Propagation::fanBehind(Index vertex) {
   } while (cross(leftRay, unfolding_->left(fan[at])) < 0);
   if (leftFace != kNoIndex) unfolding_->prefetchCrossing(leftFace);
 
-  // And the one that leaves π on its left.
+  // The ray that leaves π on its left, in the same way.
   at = arrived;
   Index rightFace = kNoIndex;
   Vec2 rightRay = turned(onwards, {1, kFanOverlap + spread.counterclockwise});

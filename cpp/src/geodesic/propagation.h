@@ -89,7 +89,7 @@ struct PathEnd {
 /// Which windows are kept after they have crossed their face.
 enum class Keep : std::uint8_t {
   Nothing,     ///< distances of vertices are all that is wanted
-  Front,       ///< those of faces that the front has not yet passed
+  Front,       ///< windows of faces that the front has not yet passed
   Everything,  ///< all: paths can be traced
 };
 
@@ -350,16 +350,16 @@ class Propagation {
   Keep keep_{Keep::Everything};
   std::vector<SurfacePoint> sources_;
   std::vector<Origin> origins_;
-  std::vector<double> distance_;       // of the vertices
-  std::vector<Reach> reach_;           // of the vertices
-  std::vector<Arrival> arrival_;       // of the vertices
-  std::vector<Spread> spread_;         // of the vertices; valid where `reach_` says so
-  WindowTable lists_;                  // of the halfedges
+  std::vector<double> distance_;       // by vertex
+  std::vector<Reach> reach_;           // by vertex
+  std::vector<Arrival> arrival_;       // by vertex
+  std::vector<Spread> spread_;         // by vertex; valid where `reach_` says so
+  WindowTable lists_;                  // by halfedge
   std::vector<Index> reached_;         // vertices to clear
   std::vector<Index> open_;            // vertices that the frontier may not have passed
   float passed_{0};                    // windows nearer than this are needed no longer
-  const std::uint8_t* band_{nullptr};  // of faces that windows enter; null: all
-  const Goal* goal_{nullptr};          // of all paths of a run; null: none
+  const std::uint8_t* band_{nullptr};  // faces that windows enter; null: all
+  const Goal* goal_{nullptr};          // the goal of all paths of a run; null: none
   double keptBeyond_{std::numeric_limits<double>::infinity()};  // but farther ones are
   std::size_t created_{0}, crossed_{0};
   std::size_t budget_{std::size_t{1} << 26};

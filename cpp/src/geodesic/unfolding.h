@@ -27,7 +27,7 @@ namespace girth::geodesic {
 /// The numbers that a halfedge adds to its face, laid flat. The three of a face lie side by side:
 /// 96 bytes, so that the part of the surface which a front goes over stays in the cache.
 struct alignas(32) FlatHalfedge {
-  double length;  ///< the same from either side of the edge
+  double length;  ///< length of the edge, equal from either side
   Vec2 left;      ///< unit vector from its start to the vertex opposite
   Index from;     ///< the vertex that it starts from
   Index twin;     ///< the halfedge on the other side; kNoIndex: a boundary
@@ -96,7 +96,7 @@ class Unfolding {
   /// The next halfedge from the same vertex, counter-clockwise; kNoIndex where the boundary is
   /// next.
   Index turnLeft(Index halfedge) const { return halfedges_[previous(halfedge)].twin; }
-  /// And clockwise.
+  /// The next halfedge from the same vertex, clockwise.
   Index turnRight(Index halfedge) const {
     const Index t = twin(halfedge);
     return t == kNoIndex ? kNoIndex : next(t);
@@ -205,8 +205,8 @@ class Unfolding {
   double unit_, meanEdgeLength_;
   std::vector<double> componentEdge_;  // the mean edge length of each component
   std::vector<FlatHalfedge> halfedges_;
-  std::vector<Index> fans_;        // of all vertices, one behind the other
-  std::vector<Index> firstOfFan_;  // of the vertices, and the end
+  std::vector<Index> fans_;        // halfedges round all vertices, one fan behind the other
+  std::vector<Index> firstOfFan_;  // by vertex, and the end
   std::vector<double> direction_, totalAngle_;
   std::vector<std::uint8_t> passable_;
   std::vector<Index> meshVertex_, vertexOfMesh_, meshFace_, faceOfMesh_;

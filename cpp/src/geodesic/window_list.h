@@ -28,7 +28,7 @@ struct WindowRun {
   std::size_t stride;
 
   static constexpr std::size_t kFields = 5;
-  static constexpr std::uint32_t kMostLanes = 4;  ///< of vectors
+  static constexpr std::uint32_t kMostLanes = 4;  ///< lanes of vectors, at most
 
   double* fields() { return reinterpret_cast<double*>(this + 1); }
   const double* fields() const { return reinterpret_cast<const double*>(this + 1); }
@@ -43,7 +43,7 @@ struct WindowRun {
 struct WindowList {
   WindowRun* newest{nullptr};
   std::uint32_t count{0}, entered{0};
-  std::uint32_t bucket{kNotQueued};  ///< of the queue, in which the halfedge is pending
+  std::uint32_t bucket{kNotQueued};  ///< bucket of the queue in which the halfedge is pending
   /// The windows that have reached the corner opposite lie among these.
   std::uint32_t apexBegin{0xFFFFFFFFu}, apexEnd{0};
   /// No point of the face is farther; known when the first windows cross it.
@@ -111,7 +111,7 @@ class WindowPool {
   struct alignas(64) Block {
     std::size_t bytes, used;
     std::uint32_t pending;  ///< runs
-    float farthest;         ///< of those that have crossed
+    float farthest;         ///< the farthest of the runs that have crossed
   };
   struct Delete {
     void operator()(Block* block) const;

@@ -97,9 +97,9 @@ class WindowTable {
     unused_.push_back(slot);
   }
 
-  std::vector<Index> slot_;        // of the halfedges: which list
+  std::vector<Index> slot_;        // lists by halfedge
   std::vector<WindowList> lists_;  // first the shared ones
-  std::vector<Index> halfedge_;    // of the lists
+  std::vector<Index> halfedge_;    // halfedges by list
   std::vector<Index> touched_;     // halfedges that have been opened
   std::vector<Index> unused_;      // lists
   std::size_t worthwhile_{kFew};   // so many lists make it worth looking for those that are passed

@@ -71,7 +71,7 @@ class EdgeGroups {
 
  private:
   std::vector<std::uint64_t> entries_;  ///< higher vertex and halfedge
-  std::vector<Index> begin_;            ///< of the entries of each lower vertex
+  std::vector<Index> begin_;            ///< first entry of each lower vertex
 };
 
 }  // namespace girth

@@ -264,9 +264,9 @@ class FlatVertices {
   ChangingMesh mesh_;
   double off_{0};                     // how far a vertex may lie beside where it ought to
   std::vector<Vec3> planes_;          // the unit normals of the original faces
-  std::vector<double> turns_;         // and how far these may be turned
+  std::vector<double> turns_;         // angles by which these normals may be turned
   std::vector<Index> first_, next_;   // lists of the vertices that have gone, by their faces
-  std::vector<SurfacePoint> places_;  // of these
+  std::vector<SurfacePoint> places_;  // places of the vertices that have gone
 };
 
 }  // namespace

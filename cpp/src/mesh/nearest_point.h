@@ -134,8 +134,9 @@ class NearestSearch {
   static constexpr Index kInBox = 4;
   struct Node {
     Box box;
-    Index first{0};  ///< of its triangles in `order_`, or its left child; the right one is next
-    Index count{0};  ///< of its triangles; 0: an inner node
+    Index first{
+        0};  ///< first of its triangles in `order_`, or its left child; the right one is next
+    Index count{0};  ///< number of its triangles; 0: an inner node
   };
   std::vector<std::array<Vec3, 3>> triangles_;
   std::vector<Index> order_;

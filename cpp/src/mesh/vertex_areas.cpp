@@ -8,7 +8,7 @@ std::vector<double> vertexAreas(const SurfaceMesh& mesh) {
   std::vector<double> areas(mesh.vertexCount(), 0);
   for (const Face f : mesh.faces()) {
     const double area = mesh.area(f);
-    double square[3];  // of the side opposite to corner k
+    double square[3];  // squares of the sides opposite to corner k
     for (Index k = 0; k < 3; ++k) {
       const double side = mesh.length(Halfedge(3 * f + (k + 1) % 3));
       square[k] = side * side;

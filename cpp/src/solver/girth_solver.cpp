@@ -109,7 +109,7 @@ struct GirthSolver::State {
   LoopSearch search;
   /// Where saddles are to last; made when first asked for.
   std::optional<PersistentSearch> persistent;
-  double persistence{0};     // of value and loop, in model units
+  double persistence{0};     // persistence of value and loop, in model units
   bool isPersistent{false};  // the last run
   geodesic::EarlierRuns earlier;
   /// `runLasting`, once a persistence is set. A program that sets none is linked without it.

@@ -290,7 +290,7 @@ class Search {
   const SparseMatrix matrix_;
   Eigen::SimplicialLDLT<SparseMatrix> factors_;
   Basis known_;
-  std::vector<double> values_;  // of the basis
+  std::vector<double> values_;  // eigenvalues of the basis
 };
 
 }  // namespace

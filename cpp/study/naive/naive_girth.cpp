@@ -203,7 +203,7 @@ class NaiveGirth {
             std::max(0.0, hit(rayLeft)),
             apexRight ? std::min(length, hit(rayRight)) : length});
     }
-    if (!apexRight) {  // and the right side: from the apex to the end
+    if (!apexRight) {  // the right side: from the apex to the end
       const double length = mesh_.length(SurfaceMesh::next(Halfedge(h)));
       const Point u = (1 / length) * (end - o), r = w.root - o;
       const auto hit = [&](Point ray) { return crossOf(r, ray) / crossOf(u, ray); };
@@ -521,7 +521,7 @@ class NaiveGirth {
   const SurfaceMesh& mesh_;
   const ExecutionContext& context_;
   Index source_;
-  std::vector<double> distance_;  // of the vertices
+  std::vector<double> distance_;  // by vertex
   std::vector<Arrival> arrival_;
   std::vector<NaiveWindow> windows_;
   std::vector<std::vector<std::size_t>> onHalfedge_;

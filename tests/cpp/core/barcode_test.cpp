@@ -130,7 +130,7 @@ TEST(Barcode, IsForeseenOnRealModels) {
   if (!corpusIsThere()) GTEST_SKIP() << "skipped: no corpus";
   const struct {
     const char* name;
-    double percent;  // of the square root of the area
+    double percent;  // percentage of the square root of the area
     std::vector<Index> vertices;
   } cases[] = {
       {"horse0", 8, {3183, 3672, 3675}},

@@ -253,7 +253,7 @@ TEST(Bottleneck, badInput) {
   };
   EXPECT_EQ(findBottleneck(mesh, std::vector<double>(3), at(0), at(1)).error().code,
             ErrorCode::Usage);
-  EXPECT_EQ(codeOf(at(0), at(before)), ErrorCode::InvalidPoint);  // of another component
+  EXPECT_EQ(codeOf(at(0), at(before)), ErrorCode::InvalidPoint);  // a point of another component
   EXPECT_EQ(codeOf(at(0), at(10'000)), ErrorCode::VertexOutOfRange);
   EXPECT_EQ(codeOf(SurfacePoint::inFace(Face(10'000), {1, 0, 0}), at(0)), ErrorCode::InvalidPoint);
   EXPECT_EQ(codeOf(SurfacePoint::inFace(Face(0), {2, -1, 0}), at(0)), ErrorCode::InvalidPoint);

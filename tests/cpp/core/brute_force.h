@@ -91,8 +91,8 @@ class BruteForce {
   const SurfaceMesh& mesh_;
   Index source_;
   Real longest_;
-  std::vector<Real> lengths_, angles_;  // of halfedges, and at their starts
-  std::vector<Real> totals_;            // of vertices
+  std::vector<Real> lengths_, angles_;  // by halfedge: its length, and the angle at its start
+  std::vector<Real> totals_;            // by vertex
   std::size_t limit_;
   bool complete_{true};
   std::vector<Cone> cones_;

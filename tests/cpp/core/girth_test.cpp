@@ -301,7 +301,7 @@ TEST_P(AgainstBruteForce, AtEveryVertex) {
     ASSERT_TRUE(all.complete()) << at(v);
     // Both halves are shortest.
     expectClose(all.distanceTo(loop.midpoint), loop.length / 2, at(v));
-    // And no loop with shortest halves is shorter.
+    // No loop with shortest halves is shorter.
     const auto shortest = all.shortestLoop();
     if (loop.kind == LoopKind::Loop) {
       ASSERT_TRUE(shortest.has_value()) << at(v);

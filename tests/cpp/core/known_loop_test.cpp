@@ -52,7 +52,7 @@ TEST(KnownLoop, ofNoPointsHasNoPull) {
   KnownLoop none = loopOfLength(9), own = loopOfLength(1);
   none.pull = pullOf(mesh, GirthLoop{});
   EXPECT_TRUE(std::isnan(none.pull.x));
-  // And is looked for always.
+  // A loop without a pull is looked for always.
   EXPECT_FALSE(isNoGain(own, none, {0.1, 0, 0}));
 }
 

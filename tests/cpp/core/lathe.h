@@ -9,7 +9,7 @@ namespace girth::test {
 
 /// A ring of a surface of revolution: a regular polygon round the z axis.
 struct Ring {
-  double z, radius;  ///< of its circumscribed circle
+  double z, radius;  ///< radius of its circumscribed circle
 };
 
 /// A surface of revolution with regular polygons of `sides` corners for rings, one corner at y = 0,

@@ -104,7 +104,7 @@ TEST(SurfaceMesh, RefusesWithTheElement) {
   EXPECT_EQ(errorOf(shape).code, ErrorCode::NonManifoldEdge);
   EXPECT_EQ(errorOf(shape).element, 0);
 
-  shape = tetrahedron();  // and one that touches vertex 0 only
+  shape = tetrahedron();  // a fin that touches vertex 0 only
   shape.positions.insert(shape.positions.end(), {5, 0, 0, 5, 1, 0, 5, 0, 1});
   for (const Index v : {0, 4, 5, 0, 5, 6, 0, 6, 4, 4, 6, 5}) {
     shape.triangles.push_back(static_cast<Index>(v));

@@ -465,7 +465,7 @@ TEST(Prepare, ADoubleSidedSheetIsOneSheet) {
   EXPECT_EQ(out.report.boundaryCurves, 1u);
   EXPECT_EQ(arraysOf(out.mesh).triangles, front);
   expectSound(shape, out);
-  // And with a part of it given a third time.
+  // A part of it is given a third time.
   shape.triangles.insert(shape.triangles.end(), front.begin(), front.begin() + 9);
   EXPECT_EQ(prepared(shape).mesh.faceCount(), 8u);
   // A closed surface inside out as well.

@@ -162,7 +162,7 @@ std::vector<PrintShape> printShapes() {
     return shape;
   };
   const double facet = kPi / 128;
-  const double blade = std::tan(0.1);  // of half its angle
+  const double blade = std::tan(0.1);  // tangent of half its angle
   const std::vector<double> five{0, 4, 5, 6, 10};
   std::vector<PrintShape> shapes{
       {"plate", box(20, 20, 0.7, 1, 1, 1), 0.7, kNone},

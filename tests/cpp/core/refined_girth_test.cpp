@@ -79,7 +79,7 @@ TEST(LoopWithin, isTheExactOneWhereAllFacesCount) {
       if (within) {
         EXPECT_EQ(within->length, exact.value().length) << random.history;
       }
-      // And what stays within a band says nothing about the next call.
+      // A search within a band says nothing about the next call.
       EXPECT_EQ(solver.value(v).value().length, exact.value().length) << random.history;
     }
   }

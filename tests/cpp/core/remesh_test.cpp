@@ -273,7 +273,7 @@ Index componentOf(const SurfaceMesh& mesh, const SurfacePoint& point) {
                               : mesh.from(Halfedge(halfedge)));
 }
 
-/// That each component has become one of the same topology, which lies on it.
+/// Expects that each component has become one of the same topology, which lies on it.
 void expectSameComponents(const SurfaceMesh& original, const RemeshedSurface& out) {
   const SurfaceMesh& mesh = out.mesh;
   ASSERT_EQ(mesh.componentCount(), original.componentCount());

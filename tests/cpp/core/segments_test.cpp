@@ -67,7 +67,7 @@ TEST(Segments, aBottleIsABodyAndATube) {
   EXPECT_EQ(segments[1 - body].tips, (std::vector<Index>{0, 2}));
   // The lower one is a frustum on a prism and its lid; all of it body.
   const double slant = std::hypot(1.0, 1.5 * std::cos(M_PI / 12));
-  const double half = std::sin(M_PI / 12);  // of a side, at radius 1
+  const double half = std::sin(M_PI / 12);  // half of a side, at radius 1
   const double area =
       12 * (2 * half * 2 * 2 + (2 + 0.5) * half * slant) + 12 * 2 * 2 * half * std::cos(M_PI / 12);
   EXPECT_NEAR(segments[body].area, area, 1e-9);

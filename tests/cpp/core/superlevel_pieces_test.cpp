@@ -80,7 +80,7 @@ class Samples {
   static constexpr int kSteps = 24;
   static int count() { return (kSteps + 1) * (kSteps + 2) / 2; }
   static int number(int i, int j) {
-    return i * (kSteps + 1) - i * (i - 1) / 2 + j;  // of j from 0 to kSteps − i
+    return i * (kSteps + 1) - i * (i - 1) / 2 + j;  // j goes from 0 to kSteps − i
   }
   Vec2 place(int i, int j) const {
     return corners_[0] +

@@ -291,7 +291,7 @@ void TextbookMmp::insert(const Window& w) {
     }
     taken = taken || (owner == kNew && parts_.back().to - parts_.back().from > narrow);
   };
-  Real reached = w.from;  // of the new window, from its start
+  Real reached = w.from;  // how far the new window has been gone through
   for (const WindowId id : onEdge) {
     const Window& u = windows_[id];
     const Real from = std::max(u.from, w.from), to = std::min(u.to, w.to);

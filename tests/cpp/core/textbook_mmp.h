@@ -54,7 +54,7 @@ class TextbookMmp {
   /// from that axis is kept, and through which face the paths come.
   struct Window {
     Real from, to;
-    Real x, y;  // of the root; y ≥ 0
+    Real x, y;  // the root; y ≥ 0
     Real sigma;
     Index edge;
     Index through;  // halfedge of the edge in the face that the paths come through; kNoIndex: along

@@ -80,7 +80,7 @@ struct Refused {
   const char* about;
 };
 
-/// That each of them, read as a file of that name, is refused as it says.
+/// Expects that each of them, read as a file of that name, is refused as it says.
 inline void expectRefused(const char* name, std::initializer_list<Refused> cases) {
   for (const Refused& c : cases) {
     const auto result = soupOf(c.text, name);

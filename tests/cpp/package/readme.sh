@@ -35,6 +35,7 @@ done
 [ "$(head -1 values.csv)" = 'vertex,igf,kind' ] || { echo 'wrong: README writes no values.csv'; failed=1; }
 expect 1 'absent.obj: FILE_NOT_FOUND: ' ./README-1 absent.obj
 expect 1 'usage: ./README-1 MODEL' ./README-1
+expect 1 'usage: ./tutorials-cpp-1 MODEL' ./tutorials-cpp-1
 expect 1 'Girth needs C++20: compile with -std=c++20' "$compiler" -std=c++17 README-1.cpp -c "${flags[@]}"
 
 # Examples of headers: each becomes a function, and one program calls them all.

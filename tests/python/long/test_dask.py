@@ -46,7 +46,7 @@ class Cluster:
         return self._start("worker", *options, **environment)
 
     def computed(self):
-        """Of each model, by its area, the processes that have begun to compute it."""
+        """The processes that have begun to compute each model, by its area."""
         begun = defaultdict(list)
         for line in self.log.read_text().splitlines() if self.log.exists() else ():
             process, area = line.split()

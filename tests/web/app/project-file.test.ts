@@ -22,7 +22,7 @@ const igf: Field = {
   kinds: Uint8Array.of(0, 2, 1),
   range: [0.1, 1 / 3],
   withoutValue: 1,
-  unit: 'm',
+  unit: 'metre',
   method: 'exact',
   note: 'a note',
   persistence: 0.02,
@@ -35,7 +35,7 @@ const loop: Loop = {
   polyline: Float32Array.of(0, 0, 0, 0.1, 0.2, 0.3),
   midpoint: [0.1, 0.2, 0.3],
   angle: NaN,
-  unit: 'm',
+  unit: 'metre',
 };
 const project: Project = {
   name: 'tri.obj',
@@ -71,6 +71,12 @@ test('a project is read as it was written, to the bit', async () => {
   expect(read.files.map(({ path }) => path)).toEqual(['tri.obj']);
   expect(await read.files[0]!.content.text()).toBe('v 0 0 0');
   expect(read.resultsFor(geometry)).toEqual(results);
+});
+
+test('units of older projects, which are symbols, become names', async () => {
+  const older = { fields: [{ ...igf, unit: '1/m²' }], loops: [{ ...loop, unit: 'm' }] };
+  const read = readProject(await writeProject(project, geometry, older))!.resultsFor(geometry)!;
+  expect([read.fields[0]!.unit, read.loops[0]!.unit]).toEqual(['metre^-2', 'metre']);
 });
 
 test('a refined girth keeps its states and its audit; states that are invalid are refused', async () => {

@@ -36,7 +36,7 @@ test('surface and values, by the names of their attributes; other attributes are
   const figure = readFigure(whole.buffer)!;
   expect(figure.positions).toHaveLength(24);
   expect(figure.indices).toHaveLength(36);
-  expect(figure.unit).toBe('m');
+  expect(figure.unit).toBe('metre');
   expect(figure.fields.map(({ attribute }) => attribute)).toEqual(['_IGF', '_HEAT']);
   expect([...figure.fields[0]!.values]).toEqual([0, 0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75]);
   const fields = givenFields(figure.fields);
@@ -58,8 +58,8 @@ test('units: lengths become metres, and what has no value has none', () => {
     // The heat is -1 at vertex 21, which there is not, and stands for itself where it is whole.
   });
   const { unit, ownUnit, fields, positions } = readFigure(file)!;
-  expect([unit, ownUnit]).toEqual(['m', 'mm']);
-  expect(fields[0]!.unit).toBe('m');
+  expect([unit, ownUnit]).toEqual(['metre', 'mm']);
+  expect(fields[0]!.unit).toBe('metre');
   expect(fields[0]!.values[4]).toBe(0.001);
   expect(Math.max(...positions)).toBeLessThan(0.01);
   expect(fields[1]!.values[4]).toBe(16);

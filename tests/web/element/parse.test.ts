@@ -46,7 +46,7 @@ test('which number of a signature: any number, and nothing for anything else', (
   const of = (attribute: string) => attributes[attribute] ?? null;
   expect(parseSpectral('hks', of)).toEqual({ time: 0.05 });
   expect(parseSpectral('wks', of)).toEqual({ component: 40 });
-  // That there is no such number is for the kernel to say.
+  // The kernel is to say that there is no such number.
   expect(parseSpectral('sihks', of)).toEqual({ component: -2 });
   expect(parseSpectral('igf', of)).toBeUndefined();
   for (const wrong of ['', ' ', 'soon', 'Infinity', '1e999']) {

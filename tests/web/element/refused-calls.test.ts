@@ -6,7 +6,7 @@ import { shownMesh } from '../../../web/src/element/model/shown-mesh.js';
 import { MeshOfWorkers } from '../../../web/src/kernel/page/mesh.js';
 
 const mesh = shownMesh({
-  ...{ name: 'points', unit: 'm', origin: [0, 0, 0], size: [1, 1, 0], area: 0.5 },
+  ...{ name: 'points', unit: 'metre', origin: [0, 0, 0], size: [1, 1, 0], area: 0.5 },
   positions: new Float32Array(9),
   indices: Uint32Array.of(0, 1, 2),
   boundary: Uint32Array.of(0, 1, 1, 2, 2, 0),

@@ -67,7 +67,7 @@ export const fakeThickness = (vertex: number) => (vertex === 0 ? NaN : 1 / verte
 /** A surface of `count` vertices as the fakes answer about it. */
 export function fakeSurface(count: number): Behaviour {
   const opened = () => ({
-    info: { name: '', vertexCount: count, faceCount: count, unit: 'm' },
+    info: { name: '', vertexCount: count, faceCount: count, unit: 'metre' },
     arrays: { positions: new Float64Array(3 * count), indices: new Uint32Array(3) },
     origin: [0, 0, 0],
     drawn: new Float32Array(3 * count),

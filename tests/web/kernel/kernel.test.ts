@@ -155,7 +155,7 @@ describe('a field by a pool', () => {
     expect([...field.values]).toEqual(Array.from({ length: 1000 }, (_, v) => fakeValue(v)));
     expect(field.kinds[3]).toBe(1);
     expect(field.range).toEqual([fakeValue(0), fakeValue(999)]);
-    expect(field.unit).toBe('m');
+    expect(field.unit).toBe('metre');
     expect([...seen].sort((a, b) => a - b)).toEqual(Array.from({ length: 1000 }, (_, v) => v));
     expect(seen[0]! % 2).toBe(0);
     expect(progress).toEqual([...progress].sort((a, b) => a - b));
@@ -283,14 +283,14 @@ describe('fields', () => {
     expect(sdf).toMatchObject({
       name: 'sdf',
       range: [1 / 19, 1],
-      unit: 'm',
+      unit: 'metre',
       method: 'sdf by fakes',
       withoutValue: 1,
       note: 'some are missing',
     });
     expect(sdf.kinds).toHaveLength(0);
-    expect(await mesh.field('angle')).toMatchObject({ name: 'angle', unit: 'rad' });
-    expect(await mesh.field('igf')).toMatchObject({ withoutValue: 0, note: '', unit: 'm' });
+    expect(await mesh.field('angle')).toMatchObject({ name: 'angle', unit: 'radian' });
+    expect(await mesh.field('igf')).toMatchObject({ withoutValue: 0, note: '', unit: 'metre' });
   });
 
   test('what was asked for reaches the workers; what was not, is left to C++', async () => {
@@ -410,7 +410,12 @@ describe('spectral fields', () => {
       mesh.field('hks', { onProgress: (f) => progress.push(f) }),
       mesh.heatMaxima(),
     ]);
-    expect(hks).toMatchObject({ name: 'hks', unit: '1/m²', method: 'by fakes', withoutValue: 0 });
+    expect(hks).toMatchObject({
+      name: 'hks',
+      unit: 'metre^-2',
+      method: 'by fakes',
+      withoutValue: 0,
+    });
     expect(hks.range).toEqual([fakeValue(0), fakeValue(19)]);
     expect(progress).toEqual([0.5, 1]);
     expect(maxima).toHaveLength(1);
@@ -640,6 +645,31 @@ describe('names of options', () => {
     expect(sharp).toEqual({ sharpAngle: 0.5 });
     await mesh.parts(igf, sdf, wrong({ girth: 1, thickness: 2 }));
     expect(asked.at(-1)).toMatchObject({ options: { girth: 1, shapeDiameter: 2 } });
+  });
+
+  test('older ones of members are read, with one warning each, and are not listed', async () => {
+    const warned = vi.spyOn(console, 'warn').mockImplementation(() => undefined);
+    const surface = fakeSurface(4);
+    const { kernel } = await fakeKernel((request, report) => {
+      if (request.operation === 'suggestedThresholds') return { girth: 3, shapeDiameter: 2 };
+      if (request.operation !== 'parts') return surface(request, report);
+      return { parts: [1, 5].map((medianShapeDiameter) => ({ medianShapeDiameter })) };
+    });
+    const mesh = await kernel.load(anyArrays);
+    const [igf, sdf] = [await mesh.field('igf'), await mesh.field('sdf')];
+    const suggested = await mesh.suggestedThresholds(igf, sdf);
+    const { parts } = await mesh.parts(igf, sdf, suggested);
+    expect(Object.keys(suggested)).toEqual(['girth', 'shapeDiameter']);
+    warned.mockClear();
+    const older = (found: object, name: string) => (found as Record<string, unknown>)[name];
+    expect(older(suggested, 'thickness')).toBe(2);
+    expect(parts.map((part) => older(part, 'medianThickness'))).toEqual([1, 5]);
+    expect(older(mesh.geometry, 'walls')).toBe(mesh.geometry.boundary);
+    const texts = warned.mock.calls.map(([text]) => text as string);
+    expect(texts.filter((text) => !text.startsWith('thickness '))).toEqual([
+      'medianThickness is the older name of medianShapeDiameter, until 2.0',
+      'walls is the older name of boundary, until 2.0',
+    ]);
   });
 
   test('of a kernel, and of its calls', async () => {

@@ -89,6 +89,16 @@ test.each(documents)('%s: paths of the repository exist', (path) => {
   expect(named.filter((name) => !matches(name))).toEqual([]);
 });
 
+test('the commands that measure on fewer triangles are listed', () => {
+  const measuring = filesBelow('cpp/cli/commands', '.cpp').filter((path) =>
+    text(path).includes('addFacesOption(table'),
+  );
+  const [, listed = ''] = /those that measure \(([^)]+)\)/.exec(text('web/docs/command.md')) ?? [];
+  expect([...listed.matchAll(/`(\w+)`/g)].map(([, name]) => name!).sort()).toEqual(
+    measuring.map((path) => basename(path, '.cpp')).sort(),
+  );
+});
+
 test('the change log has one line an entry, by what happened, without benchmarks', () => {
   const log = text('CHANGELOG.md');
   const newer = log.slice(log.indexOf('## [Unreleased]'), log.indexOf('## [0.1.0]'));

@@ -15,9 +15,33 @@ test('a comment that opens without its subject is found, in every form of commen
     ' * Who asks.',
     ' */',
     '// And of that, the rest.',
+    'int c;',
+    '/// That it is so.',
+    `int b;  ///<${' '}of the vertices`,
   ];
-  expect(linesOf('a.h', text.join('\n'))).toEqual([1, 2, 3, 4, 6, 8]);
+  expect(linesOf('a.h', text.join('\n'))).toEqual([1, 2, 3, 4, 6, 8, 10, 11]);
   expect(linesOf('a.cmake', '# What is meant.\nset(a b)  # Of it\n')).toEqual([1, 2]);
+});
+
+test('a docstring that opens so is found, and what it says of parameters and results', () => {
+  const text = [
+    'def unit(of: Mesh) -> str:',
+    '    """What lengths are in.',
+    '',
+    '    Parameters',
+    '    ----------',
+    '    of : Mesh',
+    '        Of which the unit is.',
+    '',
+    '    Returns',
+    '    -------',
+    '    str',
+    '        That of the mesh.',
+    '        Of others nothing.',
+    '    """',
+    '    return of.unit',
+  ];
+  expect(linesOf('a.py', text.join('\n'))).toEqual([2, 7, 12]);
 });
 
 test('later lines of a comment, other words and code are left alone', () => {

@@ -74,7 +74,7 @@ const folderOptions = [
   ),
 ].map(([, one, other]) => `GIRTH_${(one ?? other)!.replaceAll(/\W/g, '_')}_FOLDER`);
 
-/** That what a command of a step names is there. */
+/** Expects that whatever a command of a step names is there. */
 function expectCommand(command: string, where: string) {
   const { scripts } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
     scripts: Record<string, string>;

@@ -15,6 +15,7 @@ import {
   type SpectralOptions,
   type ZipFile,
   readZip,
+  unitName,
 } from '../../src/kernel/index.js';
 import { isFieldName, readPoint, writePoint } from '../../src/element/index.js';
 import { type PageState, readState, writeState } from '../state/address-state.js';
@@ -203,7 +204,7 @@ function fieldOf(
   return {
     ...{ name, values, kinds, withoutValue },
     range: low <= high ? [low, high] : [NaN, NaN],
-    unit: textOf(about['unit'], 'unit'),
+    unit: unitName(textOf(about['unit'], 'unit')),
     method: textOf(about['method'], 'method'),
     note: textOf(about['note'], 'note'),
     ...(persistence > 0 ? { persistence } : {}),
@@ -253,7 +254,7 @@ function loopOf(about: Json): Loop {
     length: numberOf(about['length'], 'length'),
     // JSON has no NaN.
     angle: about['angle'] === null ? NaN : numberOf(about['angle'], 'angle'),
-    unit: textOf(about['unit'], 'unit'),
+    unit: unitName(textOf(about['unit'], 'unit')),
   };
 }
 

@@ -86,7 +86,7 @@ export class SizeChoice {
     const { info, lengthFormat, unit } = viewer;
     const isStated = (info?.unit ?? '') !== '';
     this.#unit.hidden = isStated;
-    this.#stated.textContent = isStated ? `${info!.unit}, as it states` : '';
+    this.#stated.textContent = isStated ? `${unit}, as it states` : '';
     for (const [select, name] of [
       [this.#unit, unit],
       [this.#shown, viewer.shownUnit],

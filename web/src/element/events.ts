@@ -25,7 +25,7 @@ export interface FieldDetail {
   name: FieldName;
   /** Smallest and largest value; NaN twice where there is no value. */
   range: [number, number];
-  /** The unit of the values; for lengths the element's. */
+  /** The symbol of the unit of the values; for lengths the element's. */
   unit: string;
   /** 1, or the computed share of the vertices where the work was cancelled. */
   share: number;

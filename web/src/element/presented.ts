@@ -1,5 +1,6 @@
 // One model on a stage: its colours and legend, its loops and tips, what is marked, where one looks.
 
+import { alsoNamed } from '../kernel/types/older-names.js';
 import type {
   FieldName,
   Loop,
@@ -166,7 +167,8 @@ export class Presented {
     const { parts } = this.shading;
     if (!parts) return undefined;
     const { girth, shapeDiameter } = parts;
-    return { girth, shapeDiameter, smoothing: this.#wished?.smoothing ?? 0 };
+    const all = { girth, shapeDiameter, smoothing: this.#wished?.smoothing ?? 0 };
+    return alsoNamed(all, { thickness: 'shapeDiameter' });
   }
 
   /** Plain thresholds at once; smoothed parts as soon as they are computed. */

@@ -14,6 +14,7 @@ import type {
   MeshSource,
   Tips,
 } from '../kernel/types/types.js';
+import { unitSymbol } from '../kernel/types/units.js';
 import { openWorker } from '../kernel/workers/worker-from-elsewhere.js';
 import {
   type Box,
@@ -199,7 +200,7 @@ export class ViewerCore {
         this.#restyle(true);
         void this.#showField();
       },
-      unit: () => this.info?.unit || this.#host.unitOf(),
+      unit: () => this.#host.unitOf(),
       failed: (error) => this.#fail('', error),
     });
     const sheet = new CSSStyleSheet();
@@ -915,7 +916,7 @@ export class ViewerCore {
       log: isOn(this.#element, 'log'),
       isolines: Number(attributeOf(this.#element, 'isolines') ?? 0),
       // The unit of a model goes before the attribute's.
-      unit: model?.mesh.info.unit || this.#host.unitOf(),
+      unit: unitSymbol(model?.mesh.info.unit ?? '') || this.#host.unitOf(),
       shownUnit: this.#host.shownUnitOf() || (model?.file.ownUnit ?? ''),
     };
   }

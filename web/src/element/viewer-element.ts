@@ -1,5 +1,6 @@
 // `<girth-viewer>`: a surface, its girth as colours, and the loop under the pointer.
 
+import { withPresentName } from '../kernel/types/older-names.js';
 import type {
   CallOptions,
   Field,
@@ -244,7 +245,7 @@ export class GirthViewer extends MeshCalls {
    * smoothed follows when it is computed. Throws a RangeError for what is no number from 0 on.
    */
   setThresholds(wish: PartsWish): void {
-    this.require().setThresholds(wish);
+    this.require().setThresholds(withPresentName(wish, 'thickness', 'shapeDiameter'));
   }
 
   /** Colours the surface by kinds of places, with a legend of their own, until the next call or until `field` changes. */

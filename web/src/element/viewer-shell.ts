@@ -114,9 +114,9 @@ export abstract class ViewerShell extends ElementOrNone {
     return this.core?.info;
   }
 
-  /** The unit of lengths: the file's; where it states none, the attribute's; '' for none. */
+  /** The symbol of the unit of lengths: the file's; where it states none, the attribute's; '' for none. */
   get unit(): string {
-    return this.info?.unit || unitOf(attributeOf(this, 'unit'));
+    return unitOf(this.info?.unit ?? '') || unitOf(attributeOf(this, 'unit'));
   }
 
   /** The unit that lengths are written in: the attribute's where it is one, otherwise ''. */

@@ -15,6 +15,7 @@ export {
   usualTime,
 } from './types/fields.js';
 export { type LengthUnit, findLengthUnit, lengthUnits } from './types/length-units.js';
+export { unitName, unitSymbol } from './types/units.js';
 export { version } from './types/version.js';
 export { type ZipFile, readZip } from './unpack/zip.js';
 export type * from './types/types.js';

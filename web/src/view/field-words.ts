@@ -2,7 +2,7 @@
 
 import { fieldTitles } from '../kernel/types/fields.js';
 import type { FieldName } from '../kernel/types/types.js';
-import { unitOf } from '../kernel/types/units.js';
+import { unitOf, unitSymbol } from '../kernel/types/units.js';
 
 /** Fields of numbers that the kernel computes, the default first. */
 export const fieldNames = Object.keys(fieldTitles) as readonly FieldName[];
@@ -95,8 +95,8 @@ export function combinedUnit(by: Combination['by'], first: string, second: strin
   return `${first || '1'}/${second}`;
 }
 
-/** The unit of a field's values, where that of lengths is `unit`. */
+/** The symbol of the unit of a field's values, where that of lengths is `unit`. */
 export function fieldUnit(name: ShownName, unit: string): string {
-  if (isFieldName(name)) return unitOf(name, unit);
+  if (isFieldName(name)) return unitSymbol(unitOf(name, unit));
   return ['kind', 'state', 'parts', 'none'].includes(name) ? '' : unit;
 }

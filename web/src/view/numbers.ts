@@ -2,6 +2,7 @@
 // so that numbers keep their width while they change.
 
 import { findLengthUnit } from '../kernel/types/length-units.js';
+import { unitSymbol } from '../kernel/types/units.js';
 
 /** How the values of one field are written: lengths, angles or plain numbers. */
 export interface LengthFormat {
@@ -21,11 +22,12 @@ const mostDecimals = 100;
 const huge = 1e21;
 
 /**
- * The format for values up to `largest`, of unit `unit`: four significant digits at that value. Lengths
+ * The format for values up to `largest`, of the unit `given` by its name or symbol: four significant digits at that value. Lengths
  * are written in the unit `shown`, where both are units of length; otherwise metres become millimetres
  * below 10 cm, and kilometres from 1 km; radians become degrees with one decimal.
  */
-export function lengthFormat(largest: number, unit: string, shown = ''): LengthFormat {
+export function lengthFormat(largest: number, given: string, shown = ''): LengthFormat {
+  const unit = unitSymbol(given);
   if (unit === 'rad') return { unit: '°', scale: 180 / Math.PI, decimals: 1 };
   const size = Number.isFinite(largest) && largest > 0 ? largest : 1;
   const [from, to] = [findLengthUnit(unit), findLengthUnit(shown)];

@@ -25,7 +25,7 @@ export async function inSlices<Result>(
     do {
       const step = work.next();
       if (step.done) {
-        await nextTask(); // what comes of it is work of its own
+        await nextTask(); // work that comes of it is a task of its own
         signal?.throwIfAborted();
         return step.value;
       }

@@ -15,7 +15,7 @@
 
 namespace girth::io {
 
-/// A row of CSV, cell by cell: numbers, words and places. What is none of them has no cell.
+/// A row of CSV, cell by cell: numbers, words and places. Members of other kinds have no cell.
 class GIRTH_EXPORT CsvRow {
  public:
   /// A row that begins with `before`, cells with commas between; empty: with none.

@@ -15,8 +15,8 @@ namespace girth::io {
 /// The parts of a model that was cut, the largest area first.
 struct CutModel {
   std::vector<SurfaceComponent> parts;  ///< vertices and faces are those of the cut surface
-  std::vector<Face> faces;              ///< of the cut surface: CutSurface::faces
-  std::vector<SurfacePoint> points;     ///< of the cut surface: CutSurface::points
+  std::vector<Face> faces;              ///< by face of the cut surface: CutSurface::faces
+  std::vector<SurfacePoint> points;     ///< by vertex of the cut surface: CutSurface::points
 };
 
 /// The parts of a surface that was cut, each with its cavities (partsOf).

@@ -55,7 +55,7 @@ struct ColourRange {
 
 /// Lines that a GLB has beside the surface. Does not own them.
 struct LinesOnSurface {
-  std::span<const GirthLoop> loops;  ///< of vertices; those that are unresolved are left out
+  std::span<const GirthLoop> loops;  ///< loops at vertices; those that are unresolved are left out
   const Tips* tips{nullptr};         ///< null: none
 };
 

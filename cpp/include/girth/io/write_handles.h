@@ -12,7 +12,7 @@
 
 namespace girth::io {
 
-/// One JSON object: `file`, `unit`, `unresolved` and `handles`. Of a handle: `length`, `kind`
+/// One JSON object: `file`, `unit`, `unresolved` and `handles`. Each handle has `length`, `kind`
 /// ("handle", "tunnel" or "unknown"), `component`, `area`, `centre` and `points` (as those of
 /// `loopJson`).
 GIRTH_EXPORT std::string handlesJson(const LoadedMesh& loaded, const Handles& handles,

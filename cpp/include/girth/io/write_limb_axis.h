@@ -16,7 +16,7 @@ namespace girth::io {
 /// `distance,along,girth,area,x,y,z,unit` and a row for each loop: x, y and z are the axis.
 GIRTH_EXPORT std::string limbAxisCsv(const LoadedMesh& loaded, std::span<const AxisStation> axis);
 
-/// One JSON object: `file`, `unit`, `length` of the axis, and `loops`. Of each: `distance`,
+/// One JSON object: `file`, `unit`, `length` of the axis, and `loops`. Each has `distance`,
 /// `along`, `girth`, `area`, `centre` and `points` (as those of `loopJson`).
 GIRTH_EXPORT std::string limbAxisJson(const LoadedMesh& loaded, std::span<const AxisStation> axis,
                                       std::string_view file);

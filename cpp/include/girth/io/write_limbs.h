@@ -11,10 +11,10 @@
 namespace girth::io {
 
 /// One JSON object: `file`, `unit`, `limbs` and `tipsWithoutLimb` (numbers of tips, as
-/// `tips`). Of a limb: `length`, `narrowest`, `narrowestDistance`, `median`, `base`, `end`, `tips`,
-/// `apex` (as a point of `loopJson`), `vertices` (of the file), and `profile`: stations with
-/// `distance`, `ring`, `median`, `least` and the point `place` of the least. Numbers that there are
-/// none of are null. `persistence`: that of the girth, behind `unit`, where it is not 0.
+/// `tips`). Each limb has `length`, `narrowest`, `narrowestDistance`, `median`, `base`, `end`,
+/// `tips`, `apex` (as a point of `loopJson`), `vertices` (of the file), and `profile`: stations
+/// with `distance`, `ring`, `median`, `least` and the point `place` of the least. Numbers that
+/// there are none of are null. `persistence`: that of the girth, behind `unit`, where it is not 0.
 GIRTH_EXPORT std::string limbsJson(const LoadedMesh& loaded, const Limbs& limbs,
                                    std::string_view file, double persistence = 0);
 

@@ -10,7 +10,7 @@
 
 namespace girth::io {
 
-/// One JSON object: `file`, `unit`, `unresolved` and `necks`. Of a neck: `length`, `prominence`
+/// One JSON object: `file`, `unit`, `unresolved` and `necks`. Each neck has `length`, `prominence`
 /// (null where no narrower neck can be reached), `width`, `area`, `radius`, `centre`, `normal`,
 /// `sides` (of each `area` and `volume`), `measuresGirth`, `touchesBoundary`, `vertices` (of the
 /// file) and `points` (as those of `loopJson`).

@@ -17,7 +17,7 @@ namespace girth::io {
 GIRTH_EXPORT std::string pathProfileCsv(const LoadedMesh& loaded,
                                         std::span<const PathStation> stations);
 
-/// One JSON object: `file`, `unit`, `length` of the path, and `stations`. Of each: `distance`,
+/// One JSON object: `file`, `unit`, `length` of the path, and `stations`. Each has `distance`,
 /// `girth`, `kind` and `point` (as those of `loopJson`).
 GIRTH_EXPORT std::string pathProfileJson(const LoadedMesh& loaded,
                                          std::span<const PathStation> stations,

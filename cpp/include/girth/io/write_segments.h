@@ -34,10 +34,10 @@ GIRTH_EXPORT Result<SegmentedModel> segmentedModel(
 
 /// One JSON object: `file`, `unit`, `thresholds` (`girth`, `shapeDiameter`), `smoothing`,
 /// `crossing` (numbers of necks that were passed over), `segments` and `faces`: for each face of
-/// the file the segment that has most of its area, null where it is not on the surface. Of a
-/// segment: `area`, `volume`, `faces`, `genus` and `boundaries` as in cutJson, `kind`, `shares` (of
-/// its area, `body`, `tube`, `plate` and `unknown`) and `tips`: of each its number `tip` and its
-/// `apex`, as a point of `loopJson`.
+/// the file the segment that has most of its area, null where it is not on the surface. Each
+/// segment has `area`, `volume`, `faces`, `genus` and `boundaries` as in cutJson, `kind`, `shares`
+/// (of its area, `body`, `tube`, `plate` and `unknown`) and `tips`: of each its number `tip` and
+/// its `apex`, as a point of `loopJson`.
 GIRTH_EXPORT std::string segmentsJson(const LoadedMesh& loaded, const SegmentedModel& segmented,
                                       std::string_view file);
 

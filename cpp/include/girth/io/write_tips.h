@@ -10,10 +10,10 @@
 
 namespace girth::io {
 
-/// One JSON object: `file`, `unit`, `crossedEdges`, `tips` and `arcs`. Of a tip: `area`,
+/// One JSON object: `file`, `unit`, `crossedEdges`, `tips` and `arcs`. Each tip has `area`,
 /// `boundaryLength`, `jump`, `apex` (as a point of `loopJson`), `apexDistance`, `vertices` (of the
-/// file), and `contour`: lines with `closed` and `points` [x,y,z]. Of an arc: `length`, `jump` and
-/// `line`. `trials`, a JSON array (study::tipTrialsJson), becomes the member `trials`; empty:
+/// file), and `contour`: lines with `closed` and `points` [x,y,z]. Each arc has `length`, `jump`
+/// and `line`. `trials`, a JSON array (study::tipTrialsJson), becomes the member `trials`; empty:
 /// there is none. `persistence`: that of the girth, behind `unit`, where it is not 0.
 GIRTH_EXPORT std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_view file,
                                   std::string_view trials = {}, double persistence = 0);

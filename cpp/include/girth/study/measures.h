@@ -43,9 +43,9 @@ struct GIRTH_EXPORT RetrievalMeasures {
   RetrievalMeasures& operator/=(double count);
 };
 
-/// The models but the query in rising order of their distances. Of equal distances, models of other
+/// The models but the query in rising order of their distances. At equal distances, models of other
 /// classes come first, so that a descriptor that distinguishes nothing gains nothing; NaN comes
-/// last. Of what is still equal, the lower number. O(n log n).
+/// last. Among models still equal, the lower number comes first. O(n log n).
 GIRTH_EXPORT std::vector<std::uint32_t> rankingOf(std::size_t query,
                                                   std::span<const double> distances,
                                                   std::span<const std::uint32_t> classes);

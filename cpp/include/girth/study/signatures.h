@@ -30,7 +30,7 @@ GIRTH_EXPORT std::vector<std::string> descriptorNames();
 struct Descriptor {
   /// A part of a sum.
   struct Term {
-    double weight{1};  ///< what its distances are multiplied by
+    double weight{1};  ///< factor of its distances
     std::string name;  ///< one of descriptorNames
   };
   /// As it was given.

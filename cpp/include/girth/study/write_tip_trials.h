@@ -11,7 +11,7 @@
 
 namespace girth::study {
 
-/// A JSON array, for `trials` of io::tipsJson. Of each trial: `change` ("subdivided" or "noise"),
+/// A JSON array, for `trials` of io::tipsJson. Each trial has `change` ("subdivided" or "noise"),
 /// `noise` (mean edge lengths), `tips` and `arcs` (how many), and `found` (for each tip, in order,
 /// true or false); or `error`, why there is none. Empty text without trials.
 GIRTH_EXPORT std::string tipTrialsJson(std::span<const TipTrial> trials);

@@ -56,11 +56,11 @@ bool isUnderstood(std::string_view extension) {
 enum class Kind : std::uint8_t {
   Present,          // anything, but it must be there
   Reference,        // the number of another element, or a small count
-  ReferenceOrNone,  // the same; -1 where it is not given
+  ReferenceOrNone,  // a reference; -1 where it is not given
   Count,            // a number of bytes or elements
-  ValueCount,       // the same in an extension, where tinygltf holds integers of 32 bits
+  ValueCount,       // a count in an extension, where tinygltf holds integers of 32 bits
   Component,        // a component type
-  Mode,             // what a primitive draws
+  Mode,             // the kind of elements that a primitive draws
   Word,             // one of `words`
   Text,
   Flag,
@@ -68,7 +68,7 @@ enum class Kind : std::uint8_t {
   References,  // the numbers of other elements
   Sets,        // NAME0, NAME1, ...: references
   Extras,      // references that the surface does not need: what is none is left out
-  Extra,       // the same of one name
+  Extra,       // one such reference
   Object,      // an object with `members`
   List,        // an array of objects with `members`
   Extension    // an object with `members`, in "extensions"

@@ -103,7 +103,7 @@ def _write_nearest(file: Any, models: Collection, found: Any) -> None:
 
 
 class _Text:
-    """What csv writes, as bytes of any file name."""
+    """A text of csv's, as bytes of any file name."""
 
     def __init__(self, file: Any) -> None:
         self._file = file
@@ -113,7 +113,7 @@ class _Text:
 
 
 def _stopped(*_: Any) -> None:
-    """What a scheduler sends before it kills: what is computed is written."""
+    """A scheduler sends this before it kills: all that is computed is written."""
     raise KeyboardInterrupt
 
 

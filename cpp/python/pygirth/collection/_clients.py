@@ -26,7 +26,7 @@ def cores() -> int:
 
 
 class _Stopped(BaseException):
-    """What stops a task in a thread of this process, where nobody waits for it any more; no error of a model."""
+    """Stops a task in a thread of this process, where nobody waits for it any more; no error of a model."""
 
 
 #: `stop`: an event of the work that the task of this thread belongs to.

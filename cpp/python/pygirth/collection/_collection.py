@@ -36,8 +36,8 @@ class Neighbours(NamedTuple):
     Attributes
     ----------
     numbers : ndarray of int64, shape (queries, k)
-        Of each the models nearest to it, nearest first, of equals the lower number; -1 where there
-        are fewer.
+        The models nearest to each, nearest first, of equals the lower number; -1 where there are
+        fewer.
     distances : ndarray of float64, shape (queries, k)
         How far they are; NaN where there are fewer.
     compared : int
@@ -101,7 +101,7 @@ class Collection:
         Parameters
         ----------
         number : int
-            Of the model.
+            The number of the model.
         name : str
             One of `names`.
 
@@ -200,7 +200,7 @@ class Collection:
         k : int, optional
             How many.
         queries : iterable of int, optional
-            Of which models. Default: of all.
+            The models whose neighbours are looked for. Default: all.
         client, progress
             As of `distances`.
 
@@ -311,7 +311,7 @@ def fields(
 ) -> Collection:
     """The fields of many models, as shapes are compared by them.
 
-    What cannot be read is left out and named in `Collection.failed`; what the store has is not
+    Models that cannot be read are left out and named in `Collection.failed`; what the store has is not
     computed again, also where the same surface comes in several files.
 
     Parameters

@@ -36,7 +36,7 @@ class Distributions(NamedTuple):
         return self.values[part], self.shares[part]
 
     def some(self, first: int, end: int) -> "Distributions":
-        """Those of a range of numbers."""
+        """The distributions of a range of numbers."""
         part = slice(self.offsets[first], self.offsets[end])
         offsets = self.offsets[first : end + 1] - self.offsets[first]
         return Distributions(self.values[part], self.shares[part], offsets)
@@ -71,7 +71,7 @@ def means_of(values: np.ndarray, shares: np.ndarray) -> np.ndarray:
 
 
 class Index:
-    """What bounds of distances are found by: the means of every distribution."""
+    """The means of every distribution, by which bounds of distances are found."""
 
     def __init__(self, all: Distributions) -> None:
         self.all = all

@@ -62,7 +62,7 @@ def groups_of(names: Sequence[str], faces: int, smooth: int) -> list[Group]:
 
 
 class Fields(NamedTuple):
-    """Of one model: how much each vertex counts, and its values by their names."""
+    """How much each vertex of one model counts, and its values by their names."""
 
     weights: np.ndarray
     values: Mapping[str, np.ndarray]
@@ -89,7 +89,7 @@ class Store:
             self._look(group)
 
     def _check(self) -> None:
-        """That what is there is a store of this program's format."""
+        """Checks that the folder is a store of this program's format, if it is there."""
         if self.folder is None or not self.folder.exists():
             return
         header = self.folder / "store.json"

@@ -1,4 +1,4 @@
-"""What is done for each model, here or on a worker of a cluster."""
+"""The work for each model, here or on a worker of a cluster."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _key_of(mesh: Mesh) -> str:
 
 
 def _guarded(work: Callable[[], Any]) -> Any:
-    """What it gives, or the error that it ends in."""
+    """The result of some work, or the error that it ends in."""
     until_stopped(0)
     try:
         return work()
@@ -41,7 +41,7 @@ def _guarded(work: Callable[[], Any]) -> Any:
 
 
 def check_version(version: str) -> None:
-    """That a worker computes what the program expects that sent it the task."""
+    """Checks that a worker computes what the program expects that sent it the task."""
     if version != _girth.version:
         raise LimitError(
             "PROGRAM_NOT_LOADED",
@@ -63,7 +63,7 @@ def computed(
     faces: int,
     smooth: int,
 ) -> list[Union[tuple[str, list[Fields]], GirthError]]:
-    """Of each model its key and the fields of some groups of names."""
+    """The key of each model, and its fields of some groups of names."""
     check_version(version)
 
     def compute(model: Any, groups: Sequence[tuple[str, ...]]) -> tuple[str, list[Fields]]:

@@ -92,7 +92,7 @@ class BranchSearch {
   /// A branch, or a bump that leads to no end and belongs to what it grows out of.
   struct Piece {
     bool isBranch{false};
-    Index next{kNoIndex};  ///< what it ends in
+    Index next{kNoIndex};  ///< the piece that it ends in
     TreeBranch branch;
   };
 

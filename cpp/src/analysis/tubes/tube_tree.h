@@ -15,16 +15,16 @@ namespace girth::tubes {
 /// Where a tube ends.
 struct TreeEnd {
   Index component{0};
-  std::vector<Vertex> vertices;  ///< of a boundary curve in order, or one
-  double length{0};              ///< of the boundary curve, in model units; 0 where it is closed
-  Vec3 centre;                   ///< the mean of the curve's points, or the vertex
+  std::vector<Vertex> vertices;  ///< vertices of a boundary curve in order, or one vertex
+  double length{0};  ///< length of the boundary curve, in model units; 0 where it is closed
+  Vec3 centre;       ///< the mean of the curve's points, or the vertex
 
   bool isOpen() const { return vertices.size() > 1; }
 };
 
 /// A level curve of the function round a branch.
 struct TreeLevel {
-  double value{0};   ///< of the function
+  double value{0};   ///< the value of the function
   double length{0};  ///< in model units
   Vec3 centre;       ///< the mean of its points
 };

@@ -284,7 +284,7 @@ class CapMaker {
   }
 
   const SurfaceMesh& mesh_;
-  std::vector<Index> bodies_;  // of the components
+  std::vector<Index> bodies_;  // by component
   HollowCurves made_;
   std::vector<std::optional<Measured>> given_;
   std::vector<bool> isUsed_;

@@ -20,12 +20,12 @@ std::vector<Index> bodiesOf(const SurfaceMesh& mesh);
 struct HollowCap {
   std::size_t rim;                 ///< on the body
   std::vector<std::size_t> holes;  ///< on its cavities
-  Vec3 normal;                     ///< of the plane that the cap lies in
+  Vec3 normal;                     ///< normal of the plane that the cap lies in
 };
 
 /// Curves that cut bodies with their cavities.
 struct HollowCurves {
-  std::vector<SurfaceCurve> curves;  ///< those that were given first
+  std::vector<SurfaceCurve> curves;  ///< curves that were given first
   std::vector<HollowCap> caps;
 };
 

@@ -12,7 +12,7 @@ namespace girth::loops {
 
 /// Triangles in which every curve runs along edges.
 struct DividedSurface {
-  std::vector<SurfacePoint> points;  ///< of each vertex; those of the surface come first
+  std::vector<SurfacePoint> points;  ///< points by vertex; the vertices of the surface come first
   std::vector<Index> triangles;
   std::vector<Face> faces;  ///< for each triangle the face that it is a piece of
   /// For each halfedge of the triangles the one on its other side; kNoIndex at the boundary.

@@ -280,8 +280,8 @@ class HandleSearch {
   /// Looks at vertices until no loop of a kind, which is no sum of the first `place` found, can be
   /// shorter than a length, until one is found, or to the end of the budget. Nothing: cancelled.
   struct Least {
-    double length;           ///< that no such loop is shorter than
-    bool isOfOthers{false};  ///< of others than the first found by now
+    double length;           ///< no such loop is shorter
+    bool isOfOthers{false};  ///< whether it belongs to others than the first found by now
   };
   std::optional<Least> leastBeyond(HandleKind kind, std::size_t place, double length,
                                    const ExecutionContext& context) {
@@ -584,10 +584,10 @@ class HandleSearch {
   std::vector<Bundle> bundles_;
   std::map<Vertex, LoopsAt> known_;
   std::size_t used_{0};
-  std::size_t budget_, windows_{0};  // of the proof
+  std::size_t budget_, windows_{0};  // windows of the proof
   struct Proven {
     const Candidate* candidate;
-    double least;  ///< that no loop in its place is shorter than
+    double least;  ///< no loop in its place is shorter
   };
   std::map<HandleKind, std::vector<Proven>> proven_;
   IdlePool<GirthSolver> solvers_;

@@ -39,7 +39,7 @@ struct ClosedSurface {
   }
 
   std::vector<Vec3> places;
-  std::vector<Index> from, twins;  ///< of each halfedge
+  std::vector<Index> from, twins;  ///< by halfedge
   Index ownVertices, ownFaces;
 };
 
@@ -80,7 +80,8 @@ class Homology {
   Vec3 areaVector(Index face) const;
 
   const ClosedSurface* closed_;
-  std::vector<Index> vertices_, faces_;   // of the component, in the order of the trees
+  std::vector<Index> vertices_,
+      faces_;  // vertices and faces of the component, in the order of the trees
   std::vector<Index> toVertex_, toFace_;  // the halfedge that leads from the parent; kNoIndex
   std::vector<Index> vertexDepth_, faceDepth_;
   std::vector<bool> inTree_;    // halfedges

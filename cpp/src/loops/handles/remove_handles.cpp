@@ -20,7 +20,7 @@ namespace {
 
 /// How a rim is closed.
 struct Closing {
-  double share;  ///< of the way to its neighbours by which it is drawn back
+  double share;  ///< share of the way to its neighbours by which it is drawn back
   bool isClear;  ///< by triangles that cross nothing, rather than by those of least area
 };
 
@@ -220,14 +220,14 @@ class Rims {
 
   const CutSurface& cut_;
   std::size_t caps_{0};
-  std::vector<Index> capOf_;  // of the vertices of rims and caps
+  std::vector<Index> capOf_;  // caps by vertex of rims and caps
   std::vector<Vec3> moves_;
 };
 
 /// A surface whose cuts are closed.
 struct Closed {
   SurfaceMesh mesh;
-  Index crossingFaces{0};  // that there was no room for
+  Index crossingFaces{0};  // faces that there was no room for
 };
 
 /// Every rim closed by the first way in which triangles keep their area and cross nothing. Error:

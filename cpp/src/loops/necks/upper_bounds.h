@@ -26,7 +26,7 @@ class UpperBounds {
  private:
   const geodesic::Unfolding& unfolding_;
   GirthAt& girthAt_;
-  std::unordered_map<Index, MovedLoop> loops_;  ///< of nodes
+  std::unordered_map<Index, MovedLoop> loops_;  ///< loops by node
 };
 
 }  // namespace girth::loops

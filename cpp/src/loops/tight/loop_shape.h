@@ -13,7 +13,8 @@ std::vector<Vec3> placesOf(const SurfaceMesh& mesh, const std::vector<SurfacePoi
 struct LoopShape {
   double length{0};
   Vec3 centre;  ///< mean of the points, each part counted by its length
-  Vec3 normal;  ///< of the plane onto which it casts the largest area; zero where there is none
+  Vec3 normal;  ///< normal of the plane onto which it casts the largest area; zero where there is
+                ///< none
   double radius{0};  ///< mean distance from the centre within that plane
   double area{0};    ///< enclosed in that plane
 };

@@ -52,8 +52,8 @@ class TightenedBefore {
 
   struct Outcome {
     Tightened kind{Tightened::Contracted};
-    std::shared_ptr<const TautLoop> loop;  ///< of a geodesic
-    std::uint32_t steps{0};                ///< that lead to it
+    std::shared_ptr<const TautLoop> loop;  ///< the loop of a geodesic
+    std::uint32_t steps{0};                ///< steps that lead to it
   };
   std::optional<Outcome> find(const Key& key) const;
   /// `way`: what a loop was on the way, in order.

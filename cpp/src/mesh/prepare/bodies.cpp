@@ -150,11 +150,11 @@ class BodyFinder {
 
   std::vector<Index>& triangles_;
   std::vector<Index>& place_;
-  std::vector<Index> edgeOf_;          ///< of each halfedge
-  std::vector<Index> cluster_;         ///< of each face, on the way to one of its cluster
-  std::vector<bool> isSeveral_;        ///< of each cluster, at its root: whether it has bodies
-  std::vector<std::ptrdiff_t> forth_;  ///< of each edge: faces along it less those against it
-  std::vector<Index> bodyOf_;          ///< of each face; kNoIndex: of none
+  std::vector<Index> edgeOf_;          ///< edges by halfedge
+  std::vector<Index> cluster_;         ///< by face, on the way to one of its cluster
+  std::vector<bool> isSeveral_;        ///< by cluster, at its root: whether it has bodies
+  std::vector<std::ptrdiff_t> forth_;  ///< by edge: faces along it less those against it
+  std::vector<Index> bodyOf_;          ///< bodies by face; kNoIndex: none
 };
 
 }  // namespace

@@ -283,7 +283,8 @@ class FlatFaces {
   std::priority_queue<Entry> queue_;
   std::vector<bool> dropped_;
   std::vector<Index> version_;
-  std::map<std::uint64_t, std::vector<Index>> facesOfEdge_;  // of those that were asked for
+  std::map<std::uint64_t, std::vector<Index>>
+      facesOfEdge_;  // faces by edge, for edges that were asked for
 };
 
 }  // namespace

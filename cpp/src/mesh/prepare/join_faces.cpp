@@ -310,10 +310,11 @@ class FaceJoiner {
   WorkingFaces& faces_;
   PreparationReport& report_;
   JoinedFaces joined_;
-  std::vector<Index> patch_;    ///< of each face, on the way to the first of its patch
-  std::vector<Index> cluster_;  ///< the same of faces that any edge connects
-  std::vector<Index> open_;     ///< faces with an edge of their own
-  std::vector<bool> isOpen_;    ///< of clusters
+  std::vector<Index> patch_;  ///< by face, on the way to the first of its patch
+  std::vector<Index>
+      cluster_;               ///< by face, on the way to the first of those that any edge connects
+  std::vector<Index> open_;   ///< faces with an edge of their own
+  std::vector<bool> isOpen_;  ///< by cluster
   /// Faces at crowded edges, ascending, at the place that the file's own numbers have joined.
   std::vector<std::pair<Index, Index>> beside_;
   std::size_t crowdedEdges_{0};

@@ -14,7 +14,7 @@ struct JoinedFaces {
   /// The halfedges of the edges where more than two faces met or that were cut as the surface has
   /// one side only; edge by edge.
   std::vector<Index> cut;
-  std::vector<Index> cutBegin;  ///< of each edge in `cut`, and the end
+  std::vector<Index> cutBegin;  ///< first corner of each edge in `cut`, and the end
 };
 
 /// Orients `faces` (turns them over in place) and joins them.

@@ -164,8 +164,8 @@ class VertexSplitter {
 
   const WorkingFaces& faces_;
   JoinedFaces& joined_;
-  std::vector<Index> fan_;   ///< of each corner, among those of its vertex
-  std::vector<Index> fans_;  ///< of each vertex: how many
+  std::vector<Index> fan_;   ///< by corner, among the fans of its vertex
+  std::vector<Index> fans_;  ///< by vertex: how many fans
 };
 
 }  // namespace

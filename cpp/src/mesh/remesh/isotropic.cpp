@@ -138,7 +138,7 @@ class IsotropicRemesher {
     }
     for (const Index v : onLines) {
       if (turn[v] >= kSharp) continue;
-      bool sharpest = true;  // of those near
+      bool sharpest = true;  // among those near
       const auto compare = [&](Index w) {
         if (turn[w] < turn[v] || (turn[w] == turn[v] && w < v)) sharpest = false;
       };
@@ -443,7 +443,7 @@ class IsotropicRemesher {
   std::vector<Vec3> faceNormals_;
   std::vector<Index> hints_;          ///< the face of the original that each vertex was last on
   std::vector<std::uint8_t> corner_;  ///< vertices where lines turn, meet or end
-  double length_;                     ///< that edges should have
+  double length_;                     ///< the length that edges should have
 };
 
 }  // namespace

@@ -45,7 +45,7 @@ class Simplifier {
     // Edges that could not be collapsed may be later: their neighbours have changed. After some
     // rounds only as long as that is much.
     constexpr int kFullRounds = 16;
-    constexpr Index kLittle = 256;  // of so many faces, one
+    constexpr Index kLittle = 256;  // one of so many faces
     Index before = kNoIndex;
     for (int round = 0; mesh_.faceCount() > wanted_; ++round) {
       const Index gone = before - mesh_.faceCount();
@@ -176,7 +176,7 @@ class Simplifier {
   ChangingMesh mesh_;
   Vec3 middle_;
   std::vector<Vec3> faceNormals_;
-  std::vector<Quadric> quadrics_;  ///< of the vertices, about the middle
+  std::vector<Quadric> quadrics_;  ///< by vertex, about the middle
   std::vector<Index> changes_;     ///< the collapse that each vertex last came from; 0: none
   Index collapses_{0};
   std::priority_queue<Entry> queue_;

@@ -64,15 +64,15 @@ class Ascent {
   const geodesic::Propagation* propagation_;
   double low_{0}, high_{0};
   Vec3 origin_;         // p
-  double straight_{0};  // what is farther than this in space is farther than `high`
-  double radius_{0};    // and what is so far from all that has been reached
+  double straight_{0};  // whatever is farther than this in space is farther than `high`
+  double radius_{0};    // whatever is so far from all that has been reached is farther, too
   bool isPassed_{false}, found_{false};
   std::size_t work_{0};
   SuperlevelPieces rest_, upper_;
   std::vector<Place> places_, seen_;
   std::vector<std::size_t> gaps_;
   std::vector<std::pair<double, std::size_t>>
-      heap_;  // of places: first those far from all that is known to have been reached
+      heap_;  // places: first those far from all that is known to have been reached
   std::vector<Vec3> reached_;        // points within the height, in space
   std::vector<Index> around_;        // faces
   std::vector<std::uint32_t> turn_;  // in which a face was looked at

@@ -50,7 +50,7 @@ class PersistentSearch {
     double death;
     /// Its midpoint lies inside a face, or on an edge, and no third path arrives there.
     bool isPlain;
-    Index vertex;  ///< that the midpoint is; kNoIndex: none
+    Index vertex;  ///< the vertex that the midpoint is; kNoIndex: none
     /// Rounding may have filled a side at once: a maximum as high as the saddle lies on it, or a
     /// third path arrives at the midpoint. It is not filled where it has a higher maximum, which is
     /// known once all maxima are.
@@ -107,7 +107,7 @@ class PersistentSearch {
   double persistence_{0}, reach_{0};
   std::size_t mostSaddles_{0};
   std::vector<Saddle> saddles_;
-  std::vector<SaddleEnds> ends_;  // of the first saddles, as far as they were asked for
+  std::vector<SaddleEnds> ends_;  // ends of the first saddles, as far as they were asked for
   /// Saddles at vertices, with the gaps on one side of their loops: there may be several.
   struct AtVertex {
     Index vertex;

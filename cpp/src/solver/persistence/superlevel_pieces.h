@@ -25,7 +25,7 @@ inline constexpr double kSaddleOnSide = 1e-6;
 struct SaddleSide {
   Index halfedge;
   geodesic::Vec2 point;                 ///< the saddle
-  std::array<geodesic::Vec2, 2> roots;  ///< of the halves of its loop, straight behind it
+  std::array<geodesic::Vec2, 2> roots;  ///< roots of the halves of its loop, straight behind it
   geodesic::Vec2 direction;             ///< at right angles to them, into this side
 };
 
@@ -79,18 +79,18 @@ class SuperlevelPieces {
     geodesic::Vec2 from, to;
     Index halfedge;
     double begin, end;  ///< lengths along the halfedge
-    int half;           ///< of the loop
+    int half;           ///< half of the loop
   };
   /// Where the ends of a side lie as a pie sees them.
   struct Sight {
-    double square;       ///< of the distance from its root
+    double square;       ///< square of the distance from its root
     double left, right;  ///< within its bounds where these are positive
   };
   struct Pie {
     Pseudosource source;
     double reach;
-    int half;         ///< of the loop, that it belongs to; -1: none
-    std::size_t arc;  ///< of the rim
+    int half;         ///< half of the loop that it belongs to; -1: none
+    std::size_t arc;  ///< arc of the rim
   };
   /// A blocked part of the rim: side number and share of the side, together.
   struct Blocked {
@@ -119,7 +119,7 @@ class SuperlevelPieces {
   std::vector<Side> sides_;
   std::vector<Pie> pies_;
   std::vector<Blocked> blocked_, arcs_;
-  std::vector<std::size_t> parent_;  // of the arcs, in the sets of those that hang together
+  std::vector<std::size_t> parent_;  // by arc, in the sets of those that hang together
   std::vector<Piece> pieces_;
   std::vector<geodesic::Vec2> polygon_, clipped_;
   std::vector<Triangle> cells_;

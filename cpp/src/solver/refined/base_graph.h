@@ -47,7 +47,7 @@ class BaseGraph {
   }
 
  private:
-  std::vector<Index> first_;  // of the neighbours of each, and the end
+  std::vector<Index> first_;  // first neighbour of each base, and the end
   std::vector<Neighbour> neighbours_;
 };
 

@@ -81,7 +81,7 @@ struct Scratch {
   GirthSolver solver;
   LoopCheck check;  // with the memory of the solver
   FaceSet band;
-  std::vector<bool> isRefuted;  // of the bases, while others are looked for
+  std::vector<bool> isRefuted;  // by base, while others are looked for
 };
 
 /// Loops are looked for on the ground: the surface, or the same without its flat vertices.
@@ -661,11 +661,11 @@ class Refinement {
   RefinedOptions options_;
   const ExecutionContext& context_;
   ExecutionContext stage_;                      // the part of the progress that runs
-  std::shared_ptr<const Unfolding> unfolding_;  // of the ground
+  std::shared_ptr<const Unfolding> unfolding_;  // unfolding of the ground
   RefinedBases bases_;
   std::optional<ShiftedPaths> shifted_;  // where flat vertices are a little off
   BaseGraph graph_;
-  std::vector<KnownLoop> known_;  // of the bases
+  std::vector<KnownLoop> known_;  // by base
   std::vector<double> floor_;    // shorter loops do not count, until all of the surface is searched
   std::vector<double> refuted_;  // nor do loops that are no longer than one that does not stand
   std::vector<Index> changed_;

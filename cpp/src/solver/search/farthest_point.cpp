@@ -295,7 +295,7 @@ class Search {
   std::vector<Cell> cells_;  // a heap, the most promising on top
   double atLeast_;           // the maximum is known to be no less
   FarthestPoint sample_;     // the farthest of the middles looked at
-  Index face_{0};            // that is searched
+  Index face_{0};            // the face that is searched
   std::size_t work_{0};      // sources looked at
   std::size_t kept_{0};      // sources of all cells
 };

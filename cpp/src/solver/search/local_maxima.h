@@ -46,7 +46,7 @@ class MaximaSearch {
   struct Cell {
     std::array<geodesic::Vec2, 3> corners;
     std::vector<Pseudosource> sources;
-    std::size_t halvings{0};  ///< of the face
+    std::size_t halvings{0};  ///< halvings of the face
   };
 
   void tryVertex(Index vertex);

@@ -77,7 +77,7 @@ void LoopSearch::onCrossing(Index halfedge, std::uint32_t first, const CrossingR
 }
 
 void LoopSearch::onVertex(Index vertex) {
-  if (propagation_->isSource(vertex)) return;  // what meets there comes later
+  if (propagation_->isSource(vertex)) return;  // loops that meet there come later
   tryEdgesOnwards(vertex);
   if (propagation_->reachedOnce(vertex)) return;  // by the window of its own path
   for (const Index edge : propagation_->unfolding().fan(vertex)) {

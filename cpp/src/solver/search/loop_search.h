@@ -109,12 +109,12 @@ class LoopSearch {
   const geodesic::Propagation* propagation_;
   const std::atomic<bool>* cancel_{nullptr};
   std::vector<LoopCandidate> candidates_;  // a heap, shortest on top
-  std::array<Gathered, 16> gathered_;      // that the new ones are paired with
+  std::array<Gathered, 16> gathered_;      // windows that the new ones are paired with
   std::vector<LoopCandidate> judged_;      // the last of which closesUpon was asked
   Arrivals arrivals_;                      // at a midpoint
-  geodesic::WindowNumber nearer_;          // what disproved the last candidate
+  geodesic::WindowNumber nearer_;          // the window that disproved the last candidate
   LoopCandidate best_;
-  std::size_t pairs_{0};  // of windows, tried
+  std::size_t pairs_{0};  // pairs of windows that were tried
   bool found_{false}, cancelled_{false};
 };
 

@@ -43,7 +43,7 @@ export class ComparedModel {
     const field = this.#known.get(name);
     const area = this.mesh?.info.area ?? 0;
     if (!field || !(area > 0)) return undefined;
-    const scale = field.unit === 'rad' ? 1 : 1 / Math.sqrt(area);
+    const scale = field.unit === 'radian' ? 1 : 1 / Math.sqrt(area);
     return field.values.map((value) => value * scale);
   }
 

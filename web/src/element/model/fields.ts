@@ -3,6 +3,7 @@
 import { failure } from '../../kernel/types/errors.js';
 import { summaryOf } from '../../kernel/page/field-run.js';
 import { persistentFields } from '../../kernel/types/fields.js';
+import { unitSymbol } from '../../kernel/types/units.js';
 import type {
   Barcodes,
   Field,
@@ -116,10 +117,10 @@ export class Fields {
     return this.#given.get(name);
   }
 
-  /** The unit of what the model's file has of a name; undefined where that does not count. */
+  /** The symbol of the unit of what the model's file has of a name; undefined where that does not count. */
   givenUnit(name: ShownName): string | undefined {
     const given = this.givenOf(name);
-    return given && isGivenName(given.name) ? given.unit : undefined;
+    return given && isGivenName(given.name) ? unitSymbol(given.unit) : undefined;
   }
 
   /** A whole field, computed or as the file has it. */

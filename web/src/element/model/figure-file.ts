@@ -27,7 +27,7 @@ export interface FigureFile {
   fields: FigureValues[];
   loops: Loop[];
   tips: Tips | undefined;
-  /** 'm' where the file states a unit, otherwise ''. */
+  /** 'metre' where the file states a unit, otherwise ''. */
   unit: string;
   /** The symbol of the unit that the file states; '' for none. */
   ownUnit: string;
@@ -73,7 +73,7 @@ const widths: Record<string, number> = { SCALAR: 1, VEC3: 3 };
 /** Names of a length's inverse square, as files have them. */
 const density = '^-2';
 
-const unitSymbol = (name: string): string => findLengthUnit(name)?.symbol ?? '';
+const symbolOf = (name: string): string => findLengthUnit(name)?.symbol ?? '';
 
 /** The document of a GLB and its binary chunk. */
 function chunksOf(bytes: ArrayBuffer): { document: Json; binary: ArrayBuffer } {
@@ -185,9 +185,9 @@ function figureOf(reader: Reader): FigureFile {
   must(indices.length > 0 && indices.length % 3 === 0);
   must(indices.every((vertex) => vertex < vertexCount));
 
-  const ownUnit = unitSymbol(textOf(extras['unit']));
+  const ownUnit = symbolOf(textOf(extras['unit']));
   // Files of other programs that say nothing of units are in metres, by the rules of glTF.
-  const unit = ownUnit || extras['unit'] === undefined ? 'm' : '';
+  const unit = ownUnit || extras['unit'] === undefined ? 'metre' : '';
   const abouts = optional(extras['fields']);
   const names = Object.keys(attributes).filter(
     (name) => /^_\w{1,60}$/.test(name) && (name !== '_KIND' || !('_IGF' in attributes)),
@@ -195,8 +195,8 @@ function figureOf(reader: Reader): FigureFile {
   const fields = names.map((attribute): FigureValues => {
     const about = optional(abouts[attribute]);
     const said = textOf(about['unit']);
-    const isLength = unitSymbol(said) !== '';
-    const isDensity = said.endsWith(density) && unitSymbol(said.slice(0, -3)) !== '';
+    const isLength = symbolOf(said) !== '';
+    const isDensity = said.endsWith(density) && symbolOf(said.slice(0, -3)) !== '';
     const factor = isLength ? scale : isDensity ? scale ** -2 : 1;
     const raw = reader.floats(attributes[attribute], 'SCALAR');
     must(raw.length === vertexCount);
@@ -205,12 +205,12 @@ function figureOf(reader: Reader): FigureFile {
     const values = Float64Array.from(raw, (value) =>
       !isWhole && value === -1 ? NaN : factor * value,
     );
-    const symbol = isLength ? 'm' : isDensity ? '1/m²' : said === 'radian' ? 'rad' : said;
+    const unit = isLength ? 'metre' : isDensity ? 'metre^-2' : said;
     const isGirth = attribute === '_IGF' && '_KIND' in attributes;
     const kinds = isGirth
       ? kindsOf(reader.floats(attributes['_KIND'], 'SCALAR'), vertexCount)
       : new Uint8Array(0);
-    return { attribute, values, kinds, unit: symbol, method: textOf(about['method']) };
+    return { attribute, values, kinds, unit, method: textOf(about['method']) };
   });
   must(fields.length > 0);
 

@@ -33,7 +33,7 @@ export async function ownValues(
   const file = readFigure(await source.arrayBuffer());
   const own = givenFields(file?.fields ?? []).filter(({ name }) => name.startsWith('_'));
   const fields = carriedTo(own, vertexOfInput, info.vertexCount).map((field) =>
-    field.unit === 'm' && scale !== 1 ? resized(field, scale) : field,
+    field.unit === 'metre' && scale !== 1 ? resized(field, scale) : field,
   );
   return fields.length > 0 ? { ...onlySurface, fields } : undefined;
 }

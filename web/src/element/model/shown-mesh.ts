@@ -9,7 +9,7 @@ import { refusedCalls } from '../attributes/refused-calls.js';
 /** The content that a saved page shows. */
 export interface ShownContent {
   name: string;
-  /** The symbol of the unit of lengths; '' where it is not known. */
+  /** The name of the unit of lengths; '' where it is not known. */
   unit: string;
   origin: [number, number, number];
   /** Extent along x, y and z. */

@@ -1,6 +1,7 @@
 // Options of calls, whose names are checked: a name that is written wrong would have no effect.
 
 import { failure, type GirthError } from '../types/errors.js';
+import { warnOfOlder } from '../types/older-names.js';
 import type { CallOptionNames } from '../types/option-names.js';
 
 /** The error USAGE where options have a name that is not one of `names`; names within options have a dot. */
@@ -36,7 +37,7 @@ function withPresentNames(options: unknown, names: readonly string[], within = '
       return [key, withPresentNames(value, names, `${name}.`)];
     }
     if (!now || names.includes(name) || !names.includes(within + now)) return [key, value];
-    console.warn(`${name} is the older name of ${now}, until 2.0`);
+    warnOfOlder(name, now);
     return [now, value];
   });
   return Object.fromEntries(entries);

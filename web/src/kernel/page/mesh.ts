@@ -12,6 +12,7 @@ import {
   spectralNote,
   spectralRequest,
 } from '../types/field-request.js';
+import { alsoNamed } from '../types/older-names.js';
 import { callOptionNames } from '../types/option-names.js';
 import { checkCalls } from './checked-options.js';
 import { summaryOf } from './field-run.js';
@@ -159,7 +160,8 @@ export class MeshOfWorkers extends MeshWithAnalyses implements Mesh {
     this.surface = host.introduce(arrays, this.#life.signal);
     this.#jobSurface = { ...this.surface, arrays: { ...arrays, vertexOfInput, inputOfVertex } };
     this.info = info;
-    this.geometry = { positions: drawn, indices: arrays.indices, boundary, origin };
+    const geometry = { positions: drawn, indices: arrays.indices, boundary, origin };
+    this.geometry = alsoNamed(geometry, { walls: 'boundary' });
     this.vertexOfInput = vertexOfInput;
   }
 
@@ -444,7 +446,9 @@ export class MeshOfWorkers extends MeshWithAnalyses implements Mesh {
     sdf: Field,
     options: CallOptions = {},
   ): Promise<PartThresholds> {
-    return this.#ask('suggestedThresholds', { fields: this.#girthAndDiameter(igf, sdf) }, options);
+    const args = { fields: this.#girthAndDiameter(igf, sdf) };
+    const suggested = await this.#ask('suggestedThresholds', args, options);
+    return alsoNamed(suggested, { thickness: 'shapeDiameter' });
   }
 
   async parts(
@@ -455,6 +459,7 @@ export class MeshOfWorkers extends MeshWithAnalyses implements Mesh {
   ): Promise<Parts> {
     const args = { fields: this.#girthAndDiameter(igf, sdf), options: whole(parts) };
     const found = await this.#ask('parts', args, options);
+    for (const part of found.parts) alsoNamed(part, { medianThickness: 'medianShapeDiameter' });
     return this.#found(found, { options: args.options, persistence: igf.persistence });
   }
 

@@ -322,8 +322,8 @@ export interface Handle {
   centre: [number, number, number];
   /**
    * The edges it crosses and the vertices it passes in order; the last point equals the first. Between
-   * neighbours it is straight inside one face or along one edge. Of a band of parallel loops the one in
-   * the middle.
+   * neighbours it is straight inside one face or along one edge. Among parallel loops in a band, it is
+   * the one in the middle.
    */
   points: SurfacePoint[];
   /** x, y, z of its points, relative to `MeshGeometry.origin`. */
@@ -386,7 +386,7 @@ export interface AxisLoop {
   along: number;
   /** The loop's length, in model units. */
   girth: number;
-  /** That the loop encloses in its mean plane, in squared model units. */
+  /** The area that the loop encloses in its mean plane, in squared model units. */
   area: number;
   /** A point of the axis: the mean of the loop's points, each part counted by its length. */
   centre: [number, number, number];
@@ -495,8 +495,8 @@ export interface Neck {
   vertices: Uint32Array;
   /**
    * The loop: the edges it crosses and the vertices it passes in order; the last point equals the first.
-   * Between neighbours it is straight inside one face or along one edge. Of a band of parallel loops the
-   * one in the middle.
+   * Between neighbours it is straight inside one face or along one edge. Among parallel loops in a band,
+   * it is the one in the middle.
    */
   points: SurfacePoint[];
   /** x, y, z of its points, relative to `MeshGeometry.origin`. */
@@ -527,7 +527,7 @@ export interface PartThresholds {
 
 /** A connected region of one kind. */
 export interface Part {
-  /** That of all its vertices. */
+  /** The kind of all its vertices. */
   kind: PartKind;
   /** Sum of the vertices' areas, in squared model units. */
   area: number;
@@ -570,7 +570,7 @@ export interface Maximum {
   value: number;
   /**
    * How far one must go down from it, at least, to reach a higher maximum: 0 or more, in the field's
-   * unit. Of the highest of a component: how far down to its least value.
+   * unit. For the highest of a component: how far down to its least value.
    */
   persistence: number;
   /**
@@ -713,7 +713,7 @@ export interface WeakPlace {
  * fail.
  */
 export interface Crease {
-  /** That of its thinnest point. */
+  /** The kind of its thinnest point. */
   kind: CreaseKind;
   /** The sharp edges in it together, in model units; 0 where faces only touch. */
   length: number;

@@ -135,7 +135,7 @@ export interface PrepareOptions {
 
 /** Options of calls that write a file. */
 export interface ExportOptions extends CallOptions {
-  /** The unit of lengths, where the file that was read does not state it: 'mm'. Default: the mesh's unit. */
+  /** The unit of lengths, where the file that was read does not state it: 'mm' or 'millimetre'. Default: the mesh's unit. */
   unit?: string;
 }
 
@@ -222,8 +222,8 @@ export interface Field {
   /** The smallest and the largest value; NaN twice where no vertex has one. */
   range: [number, number];
   /**
-   * The unit of the values. For lengths it is the model's: 'm' for glTF, '' where the file does not state
-   * it. For angles it is 'rad'. For heat and wave kernels it is '1/m²', or '' where the model's is not known.
+   * The unit of the values. For lengths it is the model's: 'metre' for glTF, '' where the file does not state
+   * it. For angles it is 'radian'. For heat and wave kernels it is 'metre^-2', or '' where the model's is not known.
    */
   unit: string;
   /** How it was computed: 'exact', '30 rays', 'fast marching', '300 eigenpairs'. */
@@ -323,7 +323,7 @@ export interface Profile {
   stations: PathStation[];
   /** x, y, z of the path's points, relative to {@link MeshGeometry.origin}. */
   polyline: Float32Array;
-  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'metre' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
@@ -335,7 +335,7 @@ export interface LimbAxis {
   loops: AxisLoop[];
   /** x, y, z of their middles, relative to {@link MeshGeometry.origin}: the axis, to draw. */
   polyline: Float32Array;
-  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'metre' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
@@ -451,7 +451,7 @@ export interface PrintFields {
 
 /** The shortest loop at a point of the surface. */
 export interface Loop extends MeasuredLoop {
-  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'metre' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
@@ -465,7 +465,7 @@ export interface LoopOptions extends CallOptions {
 export interface Barcode extends MeasuredBarcode {
   /** The loop of each bar, where they were asked for; otherwise empty. */
   loops: Loop[];
-  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'metre' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
@@ -520,7 +520,7 @@ export interface Barcodes {
 export interface SurfacePath extends MeasuredPath {
   /** Through space, as the crow flies. */
   straight: number;
-  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'metre' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
@@ -567,7 +567,7 @@ export interface MeshInfo {
   /** Extent along x, y and z, in model units. */
   size: [number, number, number];
   /**
-   * The model's unit: 'm' for glTF, what a comment states, such as 'mm', in other files of Girth, '' where the file does
+   * The model's unit: 'metre' for glTF, what a comment states, such as 'millimetre', in other files of Girth, '' where the file does
    * not state it, as a GLB of Girth may.
    */
   unit: string;

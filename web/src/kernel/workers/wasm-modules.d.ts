@@ -78,7 +78,7 @@ declare module '*/girth-files.mjs' {
     parts: import('../types/types.js').MeshPart[];
     report: import('../types/types.js').PreparationReport;
     format: import('../types/types.js').MeshInfo['format'];
-    /** Its symbol, such as 'm', or ''. */
+    /** Its name, such as 'metre', or ''. */
     unit: string;
     notes: string[];
   }
