@@ -426,6 +426,60 @@ test('what was found is written as the command writes it, byte by byte', async (
   expect(mine.codes).toEqual(['USAGE', 'INVALID_POINT', 'USAGE', 'INVALID_POINT', 'USAGE']);
 });
 
+test('curves on a prism are drawn tight: closed, open, and to a point', async () => {
+  const found = await page.evaluate(async () => {
+    const kernel = await girth.createKernel({ threads: 1 });
+    const corners = 5;
+    const side = 1 / (2 * Math.sin(Math.PI / corners));
+    const lines: string[] = [];
+    for (let ring = 0; ring <= 8; ring++) {
+      for (let i = 0; i < corners; i++) {
+        const angle = (2 * Math.PI * i) / corners;
+        lines.push(`v ${side * Math.cos(angle)} ${side * Math.sin(angle)} ${ring}`);
+      }
+    }
+    const at = (ring: number, i: number) => ring * corners + (i % corners) + 1;
+    for (let ring = 0; ring < 8; ring++) {
+      for (let i = 0; i < corners; i++) {
+        lines.push(`f ${at(ring, i)} ${at(ring, i + 1)} ${at(ring + 1, i + 1)} ${at(ring + 1, i)}`);
+      }
+    }
+    const mesh = await kernel.load(girth.obj(lines.join('\n'), 'prism.obj'));
+    const round = [15, 21, 17, 23, 19];
+    const closed = await mesh.tighten({ points: round, closed: true });
+    const open = await mesh.tighten({ points: [10, 11, 12, 13, 14, 10, 15, 20, 25] });
+    const point = await mesh.tighten({ points: [10, 11, 16], closed: true });
+    const fixed = await mesh.tighten({ points: round, closed: true, fixed: true });
+    const csv = new TextDecoder().decode(await mesh.write(fixed, 'csv'));
+    const json = JSON.parse(new TextDecoder().decode(await mesh.write(closed, 'json'))) as object;
+    const none = await girth.refusal(mesh.tighten({ points: [] }));
+    const absent = await girth.refusal(mesh.tighten({ points: [0, 999] }));
+    kernel.dispose();
+    return { closed, open, point, fixed, csv, json, codes: [none.code, absent.code] };
+  });
+  expect(found.closed).toMatchObject({ kind: 'loop', promise: 'shortest', component: 0 });
+  expect(found.closed.length).toBeCloseTo(5, 10);
+  expect(found.closed.lengthBefore).toBeGreaterThan(5.5);
+  expect(found.closed.polyline.length).toBe(3 * found.closed.points.length);
+  expect(found.open.kind).toBe('path');
+  expect(found.open.length).toBeCloseTo(Math.hypot(5, 3), 10);
+  expect(found.point).toMatchObject({ kind: 'point', promise: 'shortest', length: 0, points: [] });
+  expect(found.fixed.pieces.length).toBe(5);
+  expect(found.csv.split('\n').length).toBe(7);
+  expect(Object.keys(found.json)).toEqual([
+    'file',
+    'unit',
+    'kind',
+    'promise',
+    'component',
+    'lengthBefore',
+    'length',
+    'pieces',
+    'points',
+  ]);
+  expect(found.codes).toEqual(['INVALID_OPTION', 'VERTEX_OUT_OF_RANGE']);
+});
+
 test('the tube of a narrowed prism: stations, the degree of the narrowing, files of both', async () => {
   const found = await page.evaluate(async () => {
     const kernel = await girth.createKernel({ threads: 1 });

@@ -251,6 +251,25 @@ def test_tubes_are_those_of_the_command(command, model):
         mesh.tubes(least_degree=0)
 
 
+def test_tight_curves_are_those_of_the_command(command, model):
+    mesh = pygirth.load(model)
+    for closed in (False, True):
+        found = mesh.tighten([0, 20, 7, 40], closed=closed)
+        words = ("--along", "0,20,7,40", *(("--closed",) if closed else ()))
+        wanted = command("tighten", model, *words, as_json=True)
+        assert (found.kind, found.promise) == (wanted["kind"], wanted["promise"])
+        assert found.length == wanted["length"] <= found.length_before == wanted["lengthBefore"]
+        places = [one["position"] for one in wanted["points"]]
+        np.testing.assert_array_equal(found.points, np.reshape(places, (-1, 3)))
+        assert len(found.pieces) == 1
+    stays = mesh.tighten([0, 20, 7], fixed=True)
+    assert [one.promise for one in stays.pieces] == ["shortest", "shortest"]
+    assert stays.pieces[0].length == pytest.approx(mesh.path(0, 20).length, rel=1e-12)
+    assert mesh.tighten([5]).kind == "point"
+    with pytest.raises(pygirth.GirthError):
+        mesh.tighten([])
+
+
 def test_measures_at_landmarks_have_their_names(model):
     mesh = pygirth.load(model)
     landmarks = [

@@ -13,16 +13,15 @@
 
 #include "commands/common_options.h"
 #include "commands/table.h"
-#include "files/read_file.h"
 #include "girth/girth_solver.h"
 #include "girth/handles.h"
-#include "girth/io/read_curves.h"
 #include "girth/io/write_cut.h"
 #include "girth/io/write_mesh.h"
 #include "girth/level_curves.h"
 #include "girth/necks.h"
 #include "model/clear_necks.h"
 #include "model/computing.h"
+#include "model/curve_file.h"
 #include "model/loading.h"
 #include "process/output.h"
 #include "process/progress_line.h"
@@ -120,20 +119,6 @@ Result<std::vector<SurfaceCurve>> levelCurvesOf(const Options& options,
   return curves;
 }
 
-/// The curves of a file, whose name errors have.
-Result<std::vector<SurfaceCurve>> fileCurves(const Options& options, const io::LoadedMesh& loaded) {
-  const auto bytes = io::readFile(options.curves);
-  auto curves =
-      bytes
-          ? io::readCurves(
-                {reinterpret_cast<const char*>(bytes.value().data()), bytes.value().size()}, loaded)
-          : Result<std::vector<SurfaceCurve>>(bytes.error());
-  if (curves) return curves;
-  Error error = curves.error();
-  error.file = options.curves;
-  return error;
-}
-
 Result<std::vector<SurfaceCurve>> loopCurve(std::int64_t number, const io::LoadedMesh& loaded) {
   const Result<Vertex> vertex = surfaceVertex(loaded, number);
   if (!vertex) return vertex.error();
@@ -159,7 +144,7 @@ Result<std::vector<SurfaceCurve>> curvesOf(const Options& options, const io::Loa
   if (options.vertex) return loopCurve(*options.vertex, loaded);
   if (options.handle || options.allHandles) return handleCurves(options, loaded);
   if (!options.level.empty()) return levelCurvesOf(options, loaded);
-  if (!options.curves.empty()) return fileCurves(options, loaded);
+  if (!options.curves.empty()) return readCurveFile(options.curves, loaded);
   return neckCurves(options, loaded);
 }
 
@@ -298,9 +283,10 @@ Run add(OptionTable& table) {
       table, "--at LENGTH", options->level,
       "Cut along the contour where the girth has this value, as in 30mm, linear between "
       "vertices");
-  table.add("--along FILE", options->curves,
-            "Cut along the loops of a .json file, as girth loop, necks, handles and bottleneck "
-            "write them");
+  table.add(
+      "--along FILE", options->curves,
+      "Cut along the loops of a .json or .obj file, as girth loop, necks, handles, bottleneck "
+      "and tighten write them");
   table.add("--cap", options->cap,
             "Close the rims that cutting makes; hollow bodies are cut with their cavities");
   addOutputOptions(table, options->output,

@@ -21,6 +21,11 @@ inline constexpr double kSteepestGirth = 2;
 GIRTH_EXPORT std::vector<SurfacePoint> nearestPoints(const SurfaceMesh& surface,
                                                      const SurfaceMesh& points);
 
+/// For each place the nearest point of `surface`, in space. A share of a corner below 1e-9 counts
+/// as 0: the point lies on a side. O((n + m) log n).
+GIRTH_EXPORT std::vector<SurfacePoint> nearestPoints(const SurfaceMesh& surface,
+                                                     std::span<const Vec3> places);
+
 /// Values at points of a surface, linear within each face. Where two corners of a face differ by
 /// more than `steepest` times their distance (kSteepestGirth for the girth), the value of
 /// the nearest corner is taken instead, and also where a corner has no value (NaN).

@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
+
+#include "girth/transfer.h"
+#include "text/number_text.h"
+#include "text/words.h"
 
 namespace girth::io {
 namespace {
@@ -14,7 +20,8 @@ using Json = nlohmann::json;
 
 Error noCurves(const std::string& what) {
   Error error = makeError(ErrorCode::MalformedFile, -1, what);
-  error.hint = "use a .json file that girth loop, necks, handles or bottleneck has written";
+  error.hint =
+      "use a .json file that girth loop, necks, handles, bottleneck or tighten has written";
   return error;
 }
 
@@ -103,7 +110,121 @@ class CurveReader {
   const LoadedMesh& loaded_;
 };
 
+/// The farthest that a point of a curve may lie beside the surface, as a share of the diagonal.
+constexpr double kMostBeside = 1e-3;
+
+Error atLine(std::int64_t line, const std::string& what) {
+  return makeError(ErrorCode::MalformedFile, line, "line " + std::to_string(line) + ": " + what);
+}
+
+/// Vertices and lines of an OBJ file.
+class ObjLines {
+ public:
+  explicit ObjLines(std::string_view obj) : words_(obj, '#', Words::Continuation::JoinsLines) {}
+
+  /// The places of each line.
+  Result<std::vector<std::vector<Vec3>>> read() {
+    for (;;) {
+      const std::string_view keyword = words_.next();
+      if (keyword.empty()) break;
+      std::optional<Error> error;
+      if (keyword == "v") error = readVertex();
+      if (keyword == "l") error = readLine();
+      if (error) return *std::move(error);
+      words_.skipLine();
+    }
+    if (lines_.empty() && !vertices_.empty()) {
+      for (std::size_t i = 0; i < vertices_.size(); ++i) appendTo(i);
+    }
+    std::vector<std::vector<Vec3>> places;
+    for (const std::vector<std::size_t>& line : lines_) {
+      std::vector<Vec3>& own = places.emplace_back();
+      for (const std::size_t vertex : line) own.push_back(vertices_[vertex]);
+    }
+    return places;
+  }
+
+ private:
+  void appendTo(std::size_t vertex) {
+    if (lines_.empty()) lines_.emplace_back();
+    lines_.back().push_back(vertex);
+  }
+
+  std::optional<Error> readVertex() {
+    std::array<double, 3> position{};
+    for (double& coordinate : position) {
+      const auto number = parseNumber(words_.nextOnLine());
+      if (!number || !std::isfinite(*number)) {
+        return atLine(words_.line(), "a vertex without three numbers");
+      }
+      coordinate = *number;
+    }
+    vertices_.push_back({position[0], position[1], position[2]});
+    return std::nullopt;
+  }
+
+  std::optional<Error> readLine() {
+    std::vector<std::size_t> line;
+    for (;;) {
+      const std::string_view word = words_.nextOnLine();
+      if (word.empty()) break;
+      // A number, with that of a texture's vertex behind it, or counted from the end.
+      const auto number = parseInteger(word.substr(0, word.find('/')));
+      const auto count = static_cast<std::int64_t>(vertices_.size());
+      const std::int64_t index = !number ? -1 : *number < 0 ? count + *number : *number - 1;
+      if (index < 0 || index >= count) {
+        return atLine(words_.line(), "a line through a vertex that does not stand before it");
+      }
+      line.push_back(static_cast<std::size_t>(index));
+    }
+    if (line.size() < 2) return atLine(words_.line(), "a line of fewer than two vertices");
+    if (!lines_.empty() && lines_.back().back() == line.front() &&
+        lines_.back().front() != line.front()) {
+      lines_.back().insert(lines_.back().end(), line.begin() + 1, line.end());
+    } else {
+      lines_.push_back(std::move(line));
+    }
+    return std::nullopt;
+  }
+
+  Words words_;
+  std::vector<Vec3> vertices_;
+  std::vector<std::vector<std::size_t>> lines_;
+};
+
+double diagonalOf(const SurfaceMesh& mesh) {
+  Vec3 low = mesh.position(Vertex(0)), high = low;
+  for (const Vertex v : mesh.vertices()) {
+    const Vec3& p = mesh.position(v);
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+}
+
 }  // namespace
+
+Result<std::vector<SurfaceCurve>> readCurvesObj(std::string_view obj, const LoadedMesh& loaded) {
+  const auto lines = ObjLines(obj).read();
+  if (!lines) return lines.error();
+  const double most = kMostBeside * diagonalOf(loaded.mesh);
+  std::vector<SurfaceCurve> curves;
+  for (const std::vector<Vec3>& places : lines.value()) {
+    SurfaceCurve curve = nearestPoints(loaded.mesh, places);
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const Vec3 at = positionOf(loaded.mesh, curve[i]), &meant = places[i];
+      if (std::hypot(at.x - meant.x, at.y - meant.y, at.z - meant.z) <= most) continue;
+      Error error = atPoint(i, "does not lie on the surface");
+      error.hint = "draw the curve on this model, in its unit";
+      return error;
+    }
+    curves.push_back(std::move(curve));
+  }
+  if (!curves.empty()) return curves;
+  Error error = makeError(ErrorCode::MalformedFile, -1, "the file has no line");
+  error.hint = "write vertices, and lines as \"l 1 2 3\"";
+  return error;
+}
 
 Result<std::vector<SurfaceCurve>> readCurves(std::string_view json, const LoadedMesh& loaded) {
   const Json document = Json::parse(json, nullptr, false);
@@ -111,7 +232,7 @@ Result<std::vector<SurfaceCurve>> readCurves(std::string_view json, const Loaded
   if (!document.is_object()) return noCurves("it is no JSON object");
   std::vector<const Json*> objects;
   bool hasList = false;
-  for (const char* list : {"necks", "handles", "loops"}) {
+  for (const char* list : {"necks", "handles", "loops", "distances"}) {
     const auto found = document.find(list);
     if (found == document.end()) continue;
     hasList = true;

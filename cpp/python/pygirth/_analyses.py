@@ -7,7 +7,7 @@ from typing import Any, Iterable, Mapping, Optional, Sequence
 
 from pygirth import _girth
 from pygirth._arguments import Progress, entry_of, one_of, real_number, running, three_numbers
-from pygirth.results import Distances, Sections, Section, NamedMeasures, Tubes
+from pygirth.results import Distances, Sections, Section, NamedMeasures, TightCurve, Tubes
 
 
 class Analyses:
@@ -238,6 +238,56 @@ class Analyses:
             three_numbers(normal, "normal"),
         )
         return NamedMeasures(_girth.analyse("measureLandmarks", self._surface, options, running(threads, progress)))
+
+    def tighten(
+        self,
+        points: Iterable[Any],
+        *,
+        closed: bool = False,
+        fixed: bool = False,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> TightCurve:
+        """Draws a curve tight: it is moved over the surface and only gets shorter, until it is
+        straight in all faces and across all edges, and has at least π on both sides of each
+        vertex that it passes, on the inner side alone at a boundary (Xin, He and Fu 2012).
+
+        Parameters
+        ----------
+        points : sequence of point
+            The curve, point by point. Neighbours that lie in one face are joined straight,
+            others by a shortest path.
+        closed : bool, optional
+            Whether it goes on from the last point to the first, and no point stays. Otherwise
+            both ends stay, also where they are one point.
+        fixed : bool, optional
+            Whether all its points stay: each piece between two is drawn tight by itself.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        TightCurve
+
+        Notes
+        -----
+        It stays in its homotopy class. No curve of the class is shorter where the component has
+        no convex vertex but at its boundary, where an open curve is as long as the distance of
+        its ends, or where it contracts; elsewhere none is that it can be moved to without
+        passing over a convex vertex. A closed curve with equally long ones beside it stays
+        among them. Lengths are exact to rounding; an angle that lacks 1e-8 of π counts as
+        straight, and a point with a share below 1e-10 lies on the edge or at the vertex beside
+        it. Time: linear in the curve for each vertex that it is moved over, and a shortest path
+        between ends. Errors: INVALID_OPTION (no points); VERTEX_OUT_OF_RANGE; INVALID_POINT
+        (also of a curve over several components); LIMIT_EXCEEDED where a shortest path takes
+        too many windows; CANCELLED.
+        """
+        options = (
+            [self._point(one) for one in points],
+            bool(closed),
+            bool(fixed),
+        )
+        return TightCurve(_girth.analyse("tighten", self._surface, options, running(threads, progress)))
 
     def tubes(
         self,

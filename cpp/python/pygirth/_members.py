@@ -8,7 +8,7 @@ import numpy as np
 
 from pygirth._result import Result
 
-__all__ = ["Distance", "Distances", "NamedMeasure", "NamedMeasures", "NoTubeComponent", "Sections", "TubeBranch", "TubePlace", "TubeStation", "Tubes"]
+__all__ = ["Distance", "Distances", "NamedMeasure", "NamedMeasures", "NoTubeComponent", "Sections", "TightCurve", "TightPiece", "TubeBranch", "TubePlace", "TubeStation", "Tubes"]
 
 
 class _Members(Result):
@@ -739,6 +739,73 @@ class Segment(_Members):
 
     kind: str
     shares: dict[str, float]
+
+
+class TightPiece(_Members):
+    """A piece of a curve between two points that stay; of a closed curve without any, all of
+    it.
+
+    Attributes
+    ----------
+    length_before : float
+        The length before, in model units.
+    length : float
+        The length when it is tight, in model units.
+    promise : str
+        The curves that it is shorter than. ``"shortest"``: All curves of the homotopy class,
+        with the same ends. ``"local"``: All curves that it can be moved to without passing over
+        a convex vertex. ``"shorter"``: Unknown: it was given up after too many steps, and is
+        only no longer.
+    start : ndarray of float64, shape (3,)
+        Where it begins.
+    end : ndarray of float64, shape (3,)
+        Where it ends.
+    """
+
+    length_before: float
+    length: float
+    promise: str
+    start: np.ndarray
+    end: np.ndarray
+
+
+class TightCurve(_Members):
+    """A curve drawn tight.
+
+    Attributes
+    ----------
+    kind : str
+        Whether it is open or closed, or only a point. ``"path"``: It joins two ends, which
+        stay. ``"loop"``: It is closed. ``"point"``: It contracts to a point: it bounds a disk
+        that it slips off.
+    promise : str
+        The weakest promise of its pieces. ``"shortest"``: All curves of the homotopy class,
+        with the same ends. ``"local"``: All curves that it can be moved to without passing over
+        a convex vertex. ``"shorter"``: Unknown: it was given up after too many steps, and is
+        only no longer.
+    component : int
+        The component that it lies on.
+    length_before : float
+        The length of the curve through the points that were given, in model units.
+    length : float
+        The length of the tight one, in model units.
+    pieces : list of TightPiece
+        Its pieces, in order: one, but where all points stay.
+    points : ndarray of float64, shape (k, 3)
+        The edges that it crosses and the vertices that it passes, in order; straight between
+        neighbours. The last point of a closed curve equals the first. Empty where it is a
+        point.
+    """
+
+    _entries = {"pieces": "TightPiece"}
+    kind: str
+    promise: str
+    component: int
+    length_before: float
+    length: float
+    pieces: list["TightPiece"]
+    points: np.ndarray
+    _curve: tuple[np.ndarray, np.ndarray]
 
 
 class Contour(_Members):

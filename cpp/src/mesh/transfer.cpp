@@ -63,6 +63,27 @@ std::vector<SurfacePoint> nearestPoints(const SurfaceMesh& surface, const Surfac
   return result;
 }
 
+std::vector<SurfacePoint> nearestPoints(const SurfaceMesh& surface, std::span<const Vec3> places) {
+  constexpr double kOnSide = 1e-9;
+  const NearestSearch search = searchOf(surface);
+  std::vector<SurfacePoint> result;
+  result.reserve(places.size());
+  Index hint = kNoIndex;
+  for (const Vec3& place : places) {
+    auto found = search.nearest(
+        place, [](Index) { return true; }, hint);
+    hint = found.triangle;
+    double sum = 0;
+    for (double& weight : found.weights) {
+      if (weight < kOnSide) weight = 0;
+      sum += weight;
+    }
+    for (double& weight : found.weights) weight /= sum;
+    result.push_back(SurfacePoint::inFace(Face(found.triangle), found.weights));
+  }
+  return result;
+}
+
 std::vector<double> interpolated(const SurfaceMesh& surface, std::span<const double> values,
                                  std::span<const SurfacePoint> points, double steepest) {
   std::vector<double> result(points.size());

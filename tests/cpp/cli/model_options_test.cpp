@@ -54,7 +54,7 @@ class ModelOptions : public Command {
 
 TEST_F(ModelOptions, areThoseOfEveryCommandThatReadsAModel) {
   const Helps commands = readingCommands();
-  EXPECT_EQ(commands.size(), 22u);
+  EXPECT_EQ(commands.size(), 23u);
   for (const auto& [name, help] : commands) {
     for (const char* option :
          {"  --weld LENGTH ", "  --close-holes ", "  --component N ", "  --min-component SHARE ",
@@ -83,6 +83,7 @@ TEST_F(ModelOptions, reachTheModelInEveryCommand) {
       {"handles", {"handles", prism}},
       {"section", {"section", prism}},
       {"tube", {"tube", prism}},
+      {"tighten", {"tighten", prism, "--along", "0,1"}},
       {"distance", {"distance", prism, "--between", pairs}},
       {"segments", {"segments", prism}},
       {"cut", {"cut", prism, "--necks", "-o", path("c.glb")}},

@@ -6,170 +6,22 @@
 #include <utility>
 
 #include "geodesic/tolerances.h"
+#include "loops/tight/pulling.h"
+#include "loops/tight/rounding_guard.h"
 
 namespace girth::loops {
 namespace {
 
-using geodesic::Crossing;
 using geodesic::kTaut;
 using geodesic::kTouch;
 
 /// Halvings of an edge until its share is known well enough to tell which vertices are passed.
 constexpr int kHalvings = 45;
 
-enum class Side : std::uint8_t { Left, Right };
-
-/// A direction in which a run leaves a vertex.
-struct Departure {
-  /// The number of an edge among the vertex's, counter-clockwise: the one that it follows, or the
-  /// one on the right of the face that it leaves through.
-  std::size_t edge{0};
-  bool alongEdge{false};
-  /// As Unfolding::direction.
-  double direction{0};
-};
-
-/// The edges of a vertex: those of its fan, and at a boundary one more.
-std::size_t edgesOf(const Unfolding& unfolding, Index vertex) {
-  return unfolding.fan(vertex).size() + (unfolding.boundary(vertex) ? 1 : 0);
-}
-
-bool isEnd(const Unfolding& unfolding, Index vertex, Index halfedge) {
-  const Crossing crossing = unfolding.crossing(halfedge);
-  return crossing.from() == vertex || crossing.to() == vertex;
-}
-
-/// How the straight run from `from` to `to` leaves.
-Departure departureOf(const Unfolding& unfolding, Index from, const Run& run, Index to) {
-  const auto fan = unfolding.fan(from);
-  Departure departure;
-  if (run.empty()) {
-    departure.alongEdge = true;
-    while (departure.edge < fan.size() && unfolding.crossing(fan[departure.edge]).to() != to) {
-      ++departure.edge;
-    }
-    departure.direction = departure.edge < fan.size() ? unfolding.direction(fan[departure.edge])
-                                                      : unfolding.totalAngle(from);
-    return departure;
-  }
-  // The run leaves through the face of its first halfedge, whose frame the strip begins in.
-  const Strip strip(unfolding, run, false);
-  const Index rightmost = Unfolding::previous(run[0]);
-  departure.edge =
-      static_cast<std::size_t>(std::find(fan.begin(), fan.end(), rightmost) - fan.begin());
-  departure.direction = unfolding.directionOf(rightmost, unfolding.toPrevious(run[0], strip.end()));
-  return departure;
-}
-
-/// A curve at one of its vertices.
-struct Passage {
-  Departure in, out;
-  /// The angles on both sides; infinite beyond the boundary.
-  double left{0}, right{0};
-};
-
 Passage passageAt(const Unfolding& unfolding, const TautLoop& loop, std::size_t i) {
   const std::size_t size = loop.vertices.size(), before = (i + size - 1) % size;
-  const Index vertex = loop.vertices[i];
-  Passage passage;
-  passage.in =
-      departureOf(unfolding, vertex, reversed(unfolding, loop.runs[before]), loop.vertices[before]);
-  passage.out = departureOf(unfolding, vertex, loop.runs[i], loop.vertices[(i + 1) % size]);
-  const double turn = passage.in.direction - passage.out.direction;
-  const double total = unfolding.totalAngle(vertex);
-  const double outside = unfolding.boundary(vertex) ? std::numeric_limits<double>::infinity()
-                                                    : total - std::fabs(turn);
-  passage.left = turn >= 0 ? turn : outside;
-  passage.right = turn >= 0 ? outside : -turn;
-  return passage;
-}
-
-/// The edges that a curve crosses that passes a vertex on one side instead. The side lies within
-/// the surface.
-Run around(const Unfolding& unfolding, Index vertex, const Passage& passage, Side side) {
-  const auto fan = unfolding.fan(vertex);
-  const std::size_t edges = edgesOf(unfolding, vertex);
-  // Counter-clockwise from `a` to `b`: the edges strictly between.
-  const Departure& a = side == Side::Left ? passage.out : passage.in;
-  const Departure& b = side == Side::Left ? passage.in : passage.out;
-  const std::size_t begin = a.edge + 1, end = b.edge + (b.alongEdge ? 0 : 1);
-  std::size_t count = (end + edges - begin % edges) % edges;
-  if (a.edge == b.edge && a.alongEdge == b.alongEdge) {
-    // Out and in through one face or along one edge: all the way round, or not at all.
-    const bool isWhole =
-        side == Side::Left ? passage.left > passage.right : passage.right > passage.left;
-    count = !isWhole ? 0 : a.alongEdge ? edges - 1 : edges;
-  }
-  Run run;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Index halfedge = fan[(begin + k) % edges];
-    run.push_back(side == Side::Left ? halfedge : unfolding.twin(halfedge));
-  }
-  if (side == Side::Left) std::reverse(run.begin(), run.end());
-  return run;
-}
-
-/// Takes out edges at both ends of a run that end at the vertices which it leads from and to: they
-/// are passed there.
-void trim(const Unfolding& unfolding, Index from, Run& run, Index to) {
-  std::size_t begin = 0, end = run.size();
-  while (begin < end && isEnd(unfolding, from, run[begin])) ++begin;
-  while (end > begin && isEnd(unfolding, to, run[end - 1])) --end;
-  run = Run(run.begin() + static_cast<std::ptrdiff_t>(begin),
-            run.begin() + static_cast<std::ptrdiff_t>(end));
-}
-
-/// The corners of a strip that the straight line between two points touches, in order. The line
-/// crosses the portals from `first` to `last`.
-void appendTouched(const Strip& strip, Vec2 a, Vec2 b, std::size_t first, std::size_t last,
-                   std::vector<std::size_t>& corners) {
-  for (std::size_t i = first; i < last; ++i) {
-    const double share = strip.share(i, a, b);
-    const bool isRight = share < kTouch;
-    if (!isRight && share <= 1 - kTouch) continue;
-    const std::size_t corner = isRight ? strip.right(i) : strip.left(i);
-    corners.push_back(corner);
-    i = std::min(last, strip.corner(corner).lastPortal);
-    a = strip.corner(corner).place;
-  }
-}
-
-/// The shortest way through a run from vertex to vertex: appends the vertices behind the first that
-/// it passes, but not the last, and the runs before and between.
-void pull(const Unfolding& unfolding, Index from, Run run, Index to, std::vector<Index>& vertices,
-          std::vector<Run>& runs) {
-  trim(unfolding, from, run, to);
-  if (run.empty()) {
-    runs.emplace_back();
-    return;
-  }
-  const Strip strip(unfolding, run, false);
-  const std::vector<std::size_t> path =
-      strip.bends(strip.start(), 0, strip.end(), strip.portals() - 1);
-  // Vertices that are touched without a bend are passed too.
-  std::vector<std::size_t> passed;
-  Vec2 at = strip.start();
-  std::size_t next = 0;
-  for (std::size_t i = 0; i <= path.size(); ++i) {
-    const bool isLast = i == path.size();
-    appendTouched(strip, at, isLast ? strip.end() : strip.corner(path[i]).place, next,
-                  isLast ? strip.portals() : strip.corner(path[i]).firstPortal, passed);
-    if (isLast) break;
-    passed.push_back(path[i]);
-    at = strip.corner(path[i]).place;
-    next = strip.corner(path[i]).lastPortal + 1;
-  }
-  std::size_t begin = 0;
-  const auto cut = [&](std::size_t end) {
-    runs.emplace_back(run.begin() + static_cast<std::ptrdiff_t>(begin),
-                      run.begin() + static_cast<std::ptrdiff_t>(std::max(begin, end)));
-  };
-  for (const std::size_t corner : passed) {
-    cut(strip.corner(corner).firstPortal);
-    vertices.push_back(strip.corner(corner).vertex);
-    begin = strip.corner(corner).lastPortal + 1;
-  }
-  cut(run.size());
+  return passageOf(unfolding, vertexNode(loop.vertices[before]), loop.runs[before],
+                   loop.vertices[i], loop.runs[i], vertexNode(loop.vertices[(i + 1) % size]));
 }
 
 /// The loop that begins and ends at a vertex beside a closed run, from behind a portal round to it.
@@ -178,7 +30,8 @@ TautLoop pinned(const Unfolding& unfolding, const Run& run, Index vertex, std::s
   for (std::size_t i = 1; i <= run.size(); ++i) opened.push_back(run[(portal + i) % run.size()]);
   TautLoop loop;
   loop.vertices.push_back(vertex);
-  pull(unfolding, vertex, std::move(opened), vertex, loop.vertices, loop.runs);
+  pull(unfolding, vertexNode(vertex), std::move(opened), vertexNode(vertex), loop.vertices,
+       loop.runs);
   return loop;
 }
 
@@ -246,6 +99,35 @@ Run begunAcross(const Unfolding& unfolding, const Run& run) {
   return begun;
 }
 
+/// The line in the middle of the straight ones that a closed strip can be gone round on, from a
+/// point of its first edge to the same point of its last. Nothing where there is none but one that
+/// touches a vertex.
+std::optional<std::pair<Vec2, Vec2>> floatingLine(const Strip& strip) {
+  const std::size_t last = strip.portals() - 1;
+  const auto place = [&](std::size_t corner) { return strip.corner(corner).place; };
+  const Vec2 right = place(strip.right(0)), left = place(strip.left(0));
+  const Vec2 step = place(strip.right(last)) - right, leftStep = place(strip.left(last)) - left;
+  const Vec2 edge = left - right, lastEdge = edge + leftStep - step;
+  // Going round turns nothing: the line goes on in its own direction.
+  if (dot(edge, lastEdge) <= 0 ||
+      std::fabs(cross(edge, lastEdge)) >
+          kTaut * std::sqrt(dot(edge, edge) * dot(lastEdge, lastEdge))) {
+    return std::nullopt;
+  }
+  const double size = norm(step);
+  if (!(size > kTouch * norm(edge))) return std::nullopt;
+  const Vec2 along = (1 / size) * step;
+  double low = 0, high = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < last; ++i) {
+    low = std::max(low, cross(along, place(strip.right(i)) - right));
+    high = std::min(high, cross(along, place(strip.left(i)) - right));
+  }
+  if (!(high - low > kTouch * size)) return std::nullopt;
+  const double share = (low + high) / 2 / cross(along, edge);
+  const Vec2 start = right + share * edge;
+  return std::pair{start, start + step + share * (leftStep - step)};
+}
+
 /// The shortest loop in a closed run, through a vertex beside it. The length of the shortest path
 /// from a point of its first edge round to the same point is convex, so the least is found by
 /// halving.
@@ -311,22 +193,32 @@ TautLoop pushedAside(const Unfolding& unfolding, const TautLoop& loop,
   return pushed;
 }
 
+/// Whether loops that close straight within their strips stay there, without a vertex.
+enum class Straights : bool { Pinned, Float };
+
 /// The shortest loop in the strips of a loop.
-TautLoop pulled(const Unfolding& unfolding, TautLoop loop) {
+TautLoop pulled(const Unfolding& unfolding, TautLoop loop, Straights straights) {
   if (loop.vertices.empty()) {
-    return loop.runs[0].size() < 2 ? TautLoop{} : closedLoop(unfolding, loop.runs[0]);
+    if (loop.runs.empty() || loop.runs[0].size() < 2) return {};
+    if (straights == Straights::Float) {
+      Run begun = begunAcross(unfolding, loop.runs[0]);
+      if (floatingLine(Strip(unfolding, begun, true))) return {{}, {std::move(begun)}};
+    }
+    return closedLoop(unfolding, loop.runs[0]);
   }
   TautLoop tight;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
     const Index from = loop.vertices[i], to = loop.vertices[(i + 1) % loop.vertices.size()];
     tight.vertices.push_back(from);
-    pull(unfolding, from, std::move(loop.runs[i]), to, tight.vertices, tight.runs);
+    pull(unfolding, vertexNode(from), std::move(loop.runs[i]), vertexNode(to), tight.vertices,
+         tight.runs);
   }
   return tight;
 }
 
 bool isPoint(const TautLoop& loop) {
-  return loop.vertices.empty() || (loop.vertices.size() == 1 && loop.runs[0].empty());
+  if (loop.vertices.empty()) return loop.runs.empty() || loop.runs[0].size() < 2;
+  return loop.vertices.size() == 1 && loop.runs[0].empty();
 }
 
 /// Takes out runs that lead from a vertex to itself without crossing anything.
@@ -345,20 +237,6 @@ std::size_t sizeOf(const TautLoop& loop) {
   return size;
 }
 
-/// The length of a straight run.
-double lengthOfRun(const Unfolding& unfolding, Index from, const Run& run, Index to) {
-  if (run.empty()) {
-    for (const Index halfedge : unfolding.fan(from)) {
-      if (unfolding.crossing(halfedge).to() == to) return unfolding.crossing(halfedge).length();
-      const Index back = Unfolding::previous(halfedge);
-      if (unfolding.crossing(back).from() == to) return unfolding.crossing(back).length();
-    }
-    return 0;
-  }
-  const Strip strip(unfolding, run, false);
-  return norm(strip.end() - strip.start());
-}
-
 /// The loop the other way round.
 TautLoop turnedRound(const Unfolding& unfolding, const TautLoop& loop) {
   TautLoop back;
@@ -368,11 +246,6 @@ TautLoop turnedRound(const Unfolding& unfolding, const TautLoop& loop) {
     back.runs.push_back(reversed(unfolding, loop.runs[(i + size - 1) % size]));
   }
   return back;
-}
-
-SurfacePoint edgePoint(const Unfolding& unfolding, Index halfedge, double share) {
-  return unfolding.toMesh(
-      SurfacePoint::onHalfedge(Halfedge(halfedge), std::clamp(share, 0.0, 1.0)));
 }
 
 }  // namespace
@@ -435,7 +308,8 @@ namespace {
 /// A loop that is drawn tight step by step, with its passages.
 class Tightening {
  public:
-  Tightening(const Unfolding& unfolding, TautLoop& loop) : unfolding_(unfolding), loop_(loop) {
+  Tightening(const Unfolding& unfolding, TautLoop& loop, Straights straights = Straights::Pinned)
+      : unfolding_(unfolding), loop_(loop), straights_(straights) {
     measure();
   }
 
@@ -444,6 +318,21 @@ class Tightening {
     for (std::size_t step = 0; step < steps; ++step) {
       if (isPoint(loop_)) return Tightened::Contracted;
       if (!passSharpest()) return Tightened::Geodesic;
+    }
+    return Tightened::GaveUp;
+  }
+
+  /// With time for as many steps as the surface has vertices to be passed.
+  Tightened run(const ExecutionContext& context) {
+    const std::size_t steps = mostSteps() + 10 * std::size_t{unfolding_.vertexCount()};
+    RoundingGuard guard;
+    for (std::size_t step = 0; step < steps && !context.cancelled(); ++step) {
+      if (isPoint(loop_)) return Tightened::Contracted;
+      const std::size_t sharpest = sharpestTurn(&guard);
+      if (sharpest == passages_.size()) return Tightened::Geodesic;
+      const Index vertex = loop_.vertices[sharpest];
+      pass(sharpest);
+      guard.passed(vertex, loop_.vertices.size(), [&] { return lengthOf(unfolding_, loop_); });
     }
     return Tightened::GaveUp;
   }
@@ -480,16 +369,22 @@ class Tightening {
  private:
   std::size_t mostSteps() const { return 1000 + 100 * sizeOf(loop_); }
 
-  /// Passes the sharpest turn on its inside. False where there is none.
-  bool passSharpest() {
+  /// The vertex with the sharpest turn, by its place; `passages_.size()`: there is none.
+  std::size_t sharpestTurn(const RoundingGuard* guard = nullptr) const {
     std::size_t sharpest = passages_.size();
     double least = kPi - kTaut;
     for (std::size_t i = 0; i < passages_.size(); ++i) {
       const double angle = std::min(passages_[i].left, passages_[i].right);
-      if (angle >= least) continue;
+      if (angle >= least || (guard != nullptr && guard->isSettled(loop_.vertices[i]))) continue;
       least = angle;
       sharpest = i;
     }
+    return sharpest;
+  }
+
+  /// Passes the sharpest turn on its inside. False where there is none.
+  bool passSharpest() {
+    const std::size_t sharpest = sharpestTurn();
     if (sharpest == passages_.size()) return false;
     pass(sharpest);
     return true;
@@ -512,7 +407,7 @@ class Tightening {
     if (size < 3 || i == 0 || i + 1 == size) {
       std::vector<std::optional<Run>> ways(size);
       ways[i] = std::move(way);
-      loop_ = pulled(unfolding_, pushedAside(unfolding_, loop_, ways));
+      loop_ = pulled(unfolding_, pushedAside(unfolding_, loop_, ways), straights_);
       dropPauses(loop_);
       measure();
       return;
@@ -524,7 +419,8 @@ class Tightening {
     cancelReturns(unfolding_, run, false);
     std::vector<Index> vertices;
     std::vector<Run> runs;
-    pull(unfolding_, loop_.vertices[i - 1], std::move(run), loop_.vertices[i + 1], vertices, runs);
+    pull(unfolding_, vertexNode(loop_.vertices[i - 1]), std::move(run),
+         vertexNode(loop_.vertices[i + 1]), vertices, runs);
     const auto at = static_cast<std::ptrdiff_t>(i);
     loop_.runs.erase(loop_.runs.begin() + at - 1, loop_.runs.begin() + at + 1);
     loop_.runs.insert(loop_.runs.begin() + at - 1, runs.begin(), runs.end());
@@ -544,13 +440,15 @@ class Tightening {
 
   const Unfolding& unfolding_;
   TautLoop& loop_;
+  Straights straights_;
   std::vector<Passage> passages_;
 };
 
 /// The first step: the shortest curve in the strips of a loose one.
-void pullTight(const Unfolding& unfolding, TautLoop& loop) {
+void pullTight(const Unfolding& unfolding, TautLoop& loop,
+               Straights straights = Straights::Pinned) {
   for (Run& run : loop.runs) cancelReturns(unfolding, run, loop.vertices.empty());
-  loop = pulled(unfolding, std::move(loop));
+  loop = pulled(unfolding, std::move(loop), straights);
   dropPauses(loop);
 }
 
@@ -600,6 +498,12 @@ Tightened tighten(const Unfolding& unfolding, TautLoop& loop, TightenedBefore& b
   return Tightening(unfolding, loop).run(before);
 }
 
+Tightened tightenInPlace(const Unfolding& unfolding, TautLoop& loop,
+                         const ExecutionContext& context) {
+  pullTight(unfolding, loop, Straights::Float);
+  return Tightening(unfolding, loop, Straights::Float).run(context);
+}
+
 TautLoop canonical(const Unfolding& unfolding, const TautLoop& loop) {
   const std::size_t size = loop.vertices.size();
   const TautLoop back = turnedRound(unfolding, loop);
@@ -624,22 +528,31 @@ TautLoop canonical(const Unfolding& unfolding, const TautLoop& loop) {
 
 double lengthOf(const Unfolding& unfolding, const TautLoop& loop) {
   double length = 0;
+  if (loop.vertices.empty() && !loop.runs.empty()) {
+    const auto line = floatingLine(Strip(unfolding, loop.runs[0], true));
+    return line ? norm(line->second - line->first) * unfolding.unit() : 0;
+  }
   for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
-    length += lengthOfRun(unfolding, loop.vertices[i], loop.runs[i],
-                          loop.vertices[(i + 1) % loop.vertices.size()]);
+    length += lengthOfRun(unfolding, vertexNode(loop.vertices[i]), loop.runs[i],
+                          vertexNode(loop.vertices[(i + 1) % loop.vertices.size()]));
   }
   return length * unfolding.unit();
 }
 
 std::vector<SurfacePoint> pointsOf(const Unfolding& unfolding, const TautLoop& loop) {
   std::vector<SurfacePoint> points;
+  if (loop.vertices.empty() && !loop.runs.empty()) {
+    const Run& run = loop.runs[0];
+    const Strip strip(unfolding, run, true);
+    const auto line = floatingLine(strip);
+    for (std::size_t i = 0; line && i < run.size(); ++i) {
+      points.push_back(edgePoint(unfolding, run[i], strip.share(i, line->first, line->second)));
+    }
+  }
   for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
     points.push_back(unfolding.toMesh(SurfacePoint::atVertex(Vertex(loop.vertices[i]))));
-    const Run& run = loop.runs[i];
-    const Strip strip(unfolding, run, false);
-    for (std::size_t k = 0; k < run.size(); ++k) {
-      points.push_back(edgePoint(unfolding, run[k], strip.share(k, strip.start(), strip.end())));
-    }
+    appendCrossings(unfolding, vertexNode(loop.vertices[i]), loop.runs[i],
+                    vertexNode(loop.vertices[(i + 1) % loop.vertices.size()]), points);
   }
   if (!points.empty()) points.push_back(points.front());
   return points;

@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "girth/execution.h"
 #include "girth/surface_point.h"
 #include "loops/tight/strip.h"
 
@@ -26,7 +27,8 @@ enum class Tightened : std::uint8_t {
 
 /// A closed curve by the vertices that it passes and the edges that it crosses between: run i leads
 /// from vertex i to the next, the last to the first. Numbers are those of the unfolding. Once it is
-/// tight it passes at least one vertex, and each run is straight.
+/// tight each run is straight, and it passes at least one vertex; but `tightenInPlace`, and loose
+/// curves, may have one closed run alone.
 struct TautLoop {
   std::vector<Index> vertices;
   std::vector<Run> runs;
@@ -73,6 +75,11 @@ Tightened tighten(const Unfolding& unfolding, TautLoop& loop);
 
 /// Draws a loop tight with the outcomes for other curves. The loop is canonical then.
 Tightened tighten(const Unfolding& unfolding, TautLoop& loop, TightenedBefore& before);
+
+/// Draws a curve tight, but leaves it where it closes straight within its strip, in the middle of
+/// the strip: it is not moved on until it passes a vertex. `GaveUp`: also where it is cancelled.
+Tightened tightenInPlace(const Unfolding& unfolding, TautLoop& loop,
+                         const ExecutionContext& context);
 
 /// One form of a loop, whatever vertex it is begun at and whichever way it runs.
 TautLoop canonical(const Unfolding& unfolding, const TautLoop& loop);

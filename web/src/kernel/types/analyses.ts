@@ -2,7 +2,15 @@
 
 import type { WatchedOptions } from './call-options.js';
 import type { SurfacePoint } from './points.js';
-import type { Distances, Sections, Section, NamedMeasures, Tubes, MeasureKind } from './results.js';
+import type {
+  Distances,
+  Sections,
+  Section,
+  NamedMeasures,
+  TightCurve,
+  Tubes,
+  MeasureKind,
+} from './results.js';
 
 /**
  * Where a surface has the most or the least of a measure.
@@ -117,6 +125,24 @@ export interface ExtremeSectionOptions extends WatchedOptions {
   inscribed?: boolean;
 }
 
+/** Which curve is drawn tight. */
+export interface TightenOptions extends WatchedOptions {
+  /**
+   * The curve, point by point. Neighbours that lie in one face are joined straight, others by a shortest
+   * path.
+   */
+  points: readonly SurfacePoint[];
+  /**
+   * Whether it goes on from the last point to the first, and no point stays. Otherwise both ends stay,
+   * also where they are one point. Default: false.
+   */
+  closed?: boolean;
+  /**
+   * Whether all its points stay: each piece between two is drawn tight by itself. Default: false.
+   */
+  fixed?: boolean;
+}
+
 /** How tubes are measured. */
 export interface TubesOptions extends WatchedOptions {
   /**
@@ -198,6 +224,22 @@ export interface Analyses {
    */
   measureLandmarks(options: LandmarksOptions): Promise<NamedMeasures>;
   /**
+   * Draws a curve tight: it is moved over the surface and only gets shorter, until it is straight in all
+   * faces and across all edges, and has at least π on both sides of each vertex that it passes, on the
+   * inner side alone at a boundary (Xin, He and Fu 2012). It stays in its homotopy class. No curve of
+   * the class is shorter where the component has no convex vertex but at its boundary, where an open
+   * curve is as long as the distance of its ends, or where it contracts; elsewhere none is that it can
+   * be moved to without passing over a convex vertex. A closed curve with equally long ones beside it
+   * stays among them. Lengths are exact to rounding; an angle that lacks 1e-8 of π counts as straight,
+   * and a point with a share below 1e-10 lies on the edge or at the vertex beside it. Time: linear in
+   * the curve for each vertex that it is moved over, and a shortest path between ends. Errors:
+   * INVALID_OPTION (no points); VERTEX_OUT_OF_RANGE; INVALID_POINT (also of a curve over several
+   * components); LIMIT_EXCEEDED where a shortest path takes too many windows; CANCELLED.
+   *
+   * @experimental
+   */
+  tighten(options: TightenOptions): Promise<TightCurve>;
+  /**
    * Finds the centrelines of tubes, and measures what lies along them. The surface is divided into
    * branches by a harmonic function from one end to the others. The line through the middles of its
    * level curves is then moved until each of its points is the centroid of the section perpendicular to
@@ -214,7 +256,7 @@ export interface Analyses {
 }
 
 /** The results of analyses. */
-export type FoundByAnalysis = Distances | Sections | Section | NamedMeasures | Tubes;
+export type FoundByAnalysis = Distances | Sections | Section | NamedMeasures | TightCurve | Tubes;
 
 /** The analyses: the list that only their results have, by the names of analyses. */
 export const analysisLists: Readonly<Record<keyof Analyses, string>> = {
@@ -223,5 +265,6 @@ export const analysisLists: Readonly<Record<keyof Analyses, string>> = {
   sectionsThrough: 'sections',
   extremeSection: 'curves',
   measureLandmarks: 'measures',
+  tighten: 'pieces',
   tubes: 'branches',
 };

@@ -80,6 +80,24 @@ export type WeakKind = 'tube' | 'wall' | 'gap';
 export type CreaseKind = 'crease' | 'rounding' | 'sliver';
 
 /**
+ * The curves than which none is shorter (web/docs/definitions.md, section 5).
+ *
+ * - `'shortest'`: all curves of the homotopy class, with the same ends
+ * - `'local'`: all curves that it can be moved to without passing over a convex vertex
+ * - `'shorter'`: unknown: it was given up after too many steps, and is only no longer
+ */
+export type TightPromise = 'shortest' | 'local' | 'shorter';
+
+/**
+ * The shape of a curve that is drawn tight.
+ *
+ * - `'path'`: it joins two ends, which stay
+ * - `'loop'`: it is closed
+ * - `'point'`: it contracts to a point: it bounds a disk that it slips off
+ */
+export type TightKind = 'path' | 'loop' | 'point';
+
+/**
  * Whether a tube is narrow or wide at a place.
  *
  * - `'narrowing'`: narrower than on both sides: a stenosis
@@ -924,6 +942,51 @@ export interface MeasuredSegment {
   kind: PartKind;
   /** Shares of its area by kind. */
   shares: KindShares;
+}
+
+/**
+ * A piece of a curve between two points that stay; of a closed curve without any, all of it.
+ *
+ * @experimental
+ */
+export interface TightPiece {
+  /** The length before, in model units. */
+  lengthBefore: number;
+  /** The length when it is tight, in model units. */
+  length: number;
+  /** The curves that it is shorter than. */
+  promise: TightPromise;
+  /** Where it begins. */
+  start: SurfacePoint;
+  /** Where it ends. */
+  end: SurfacePoint;
+}
+
+/**
+ * A curve drawn tight.
+ *
+ * @experimental
+ */
+export interface TightCurve {
+  /** Whether it is open or closed, or only a point. */
+  kind: TightKind;
+  /** The weakest promise of its pieces. */
+  promise: TightPromise;
+  /** The component that it lies on. */
+  component: number;
+  /** The length of the curve through the points that were given, in model units. */
+  lengthBefore: number;
+  /** The length of the tight one, in model units. */
+  length: number;
+  /** Its pieces, in order: one, but where all points stay. */
+  pieces: TightPiece[];
+  /**
+   * The edges that it crosses and the vertices that it passes, in order; straight between neighbours.
+   * The last point of a closed curve equals the first. Empty where it is a point.
+   */
+  points: SurfacePoint[];
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
 }
 
 /** A line across edges of the surface: a point in the middle of each, in order. */
