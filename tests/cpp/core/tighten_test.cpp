@@ -19,7 +19,6 @@
 namespace girth::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 /// Angles of straight curves in points that lie this far apart are known to 1e-7.
 constexpr double kApart = 1e-6;
 
@@ -81,9 +80,9 @@ void expectStraightAt(const SurfaceMesh& mesh, const SurfacePoint& before,
   const auto out = directionAt(mesh, point.vertex(), after);
   ASSERT_TRUE(in && out);
   const double between = std::fabs(*in - *out);
-  EXPECT_GE(between, kPi - 1e-7);
+  EXPECT_GE(between, std::numbers::pi - 1e-7);
   if (!mesh.isBoundary(point.vertex())) {
-    EXPECT_GE(mesh.totalAngle(point.vertex()) - between, kPi - 1e-7);
+    EXPECT_GE(mesh.totalAngle(point.vertex()) - between, std::numbers::pi - 1e-7);
   }
 }
 
@@ -265,15 +264,15 @@ TEST(Tighten, ClosedCurvesOnSpheresContract) {
 std::pair<int, int> windings(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points,
                              double R) {
   double round = 0, across = 0;
-  const auto unwrapped = [](double angle) { return std::remainder(angle, 2 * kPi); };
+  const auto unwrapped = [](double angle) { return std::remainder(angle, 2 * std::numbers::pi); };
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Vec3 a = positionOf(mesh, points[i - 1]), b = positionOf(mesh, points[i]);
     round += unwrapped(std::atan2(b.y, b.x) - std::atan2(a.y, a.x));
     across += unwrapped(std::atan2(b.z, std::hypot(b.x, b.y) - R) -
                         std::atan2(a.z, std::hypot(a.x, a.y) - R));
   }
-  return {static_cast<int>(std::lround(round / (2 * kPi))),
-          static_cast<int>(std::lround(across / (2 * kPi)))};
+  return {static_cast<int>(std::lround(round / (2 * std::numbers::pi))),
+          static_cast<int>(std::lround(across / (2 * std::numbers::pi)))};
 }
 
 TEST(Tighten, OnATorusTheClassStays) {
