@@ -23,10 +23,10 @@ import type { Table } from '../../widgets/table-text.js';
 
 /** What a degree is measured against, in words. */
 const references: Readonly<Record<TubeReference, string>> = {
-  taper: 'the taper between both sides',
-  mean: 'the mean of both sides',
-  before: 'the side before',
-  beyond: 'the side beyond',
+  taper: 'taper of both sides',
+  mean: 'mean of both sides',
+  before: 'side before',
+  beyond: 'side beyond',
 };
 
 /** The words that follow 'The surface'. */
