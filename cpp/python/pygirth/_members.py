@@ -12,15 +12,19 @@ __all__ = ["Distance", "Distances", "NamedMeasure", "NamedMeasures", "NoTubeComp
 
 
 class _Members(Result):
-    #: The classes of the entries of lists, by member.
+    #: The names of the classes of the entries of lists, by member.
     _entries: dict[str, str] = {}
+    #: The classes by their names: of two with one name the later one, which extends the other.
+    _classes: dict[str, Any] = {}
+
+    def __init_subclass__(cls) -> None:
+        if cls.__module__.startswith("pygirth."):
+            _Members._classes[cls.__name__] = cls
 
     def __init__(self, found: dict[str, Any]) -> None:
-        from pygirth import results
-
         self.__dict__.update(found)
         for member, name in self._entries.items():
-            entry = getattr(results, name)
+            entry = self._classes[name]
             setattr(self, member, [entry(one) for one in found[member]])
 
     def _line(self) -> str:

@@ -477,7 +477,7 @@ TEST(Tighten, BoundariesHoldCurves) {
   const TightCurve left = tight(mesh, verticesOf({0, 4, 8, 12, 13, 14, 15}));
   EXPECT_NEAR(left.length, past, 1e-12 * past);
   EXPECT_EQ(left.promise, TightPromise::Shortest);
-  // And once more round the hole.
+  // This curve goes round the hole once more.
   const TightCurve round = tight(mesh, verticesOf({0, 4, 8, 9, 10, 6, 5, 9, 10, 15}));
   EXPECT_NEAR(round.length, past + 4, 1e-12 * past);
   // Points on the rim itself.

@@ -97,7 +97,7 @@ export interface PageState {
   profile?: SurfacePoint[];
   /** The limb along whose axis the girth is shown, from 1. */
   axis?: number;
-  /** What narrowings and widenings of tubes are compared with, where it is not the taper. */
+  /** The diameter that narrowings and widenings of tubes are compared with, where it is not the taper. */
   reference?: TubeReference;
   /** Necks are listed that stand out by at least so much, in model units. */
   prominence?: number;

@@ -15,7 +15,7 @@ def trees():
 
 def classes_and_functions(modules):
     kinds = (ast.ClassDef, ast.FunctionDef)
-    # Classes of results inherit their docstrings from classes of the same name in _members.
+    # Classes of results inherit their docstrings from classes in _members, most of them of the same name.
     ordered = sorted(modules.items(), key=lambda item: item[0] == "_members", reverse=True)
     return {
         (name == "_members", node.name): node
@@ -25,9 +25,16 @@ def classes_and_functions(modules):
     }
 
 
+def base_of(node, known):
+    for base in getattr(node, "bases", []):
+        if isinstance(base, ast.Attribute) and base.value.id == "_members":
+            return known[(True, base.attr)]
+    return known.get((True, node.name))
+
+
 def docstring(node, known):
     own = ast.get_docstring(node)
-    base = known.get((True, node.name))
+    base = base_of(node, known)
     inherited = ast.get_docstring(base) if base else None
     if own or not isinstance(node, ast.ClassDef):
         return own or ""

@@ -21,7 +21,7 @@ import type { PlaceList } from '../../widgets/place-list.js';
 import type { TableActions } from '../../widgets/table-actions.js';
 import type { Table } from '../../widgets/table-text.js';
 
-/** What a degree is measured against, in words. */
+/** The diameters that degrees are measured against, in words. */
 const references: Readonly<Record<TubeReference, string>> = {
   taper: 'taper of both sides',
   mean: 'mean of both sides',
