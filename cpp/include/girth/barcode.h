@@ -19,9 +19,9 @@ namespace girth {
 struct SaddleBar {
   /// Its distance from p, in model units: half the length of its loop.
   double birth{0};
-  /// The distance at which one of the two parts that the loop cuts off is filled, by the elder
-  /// rule; infinite where the loop cuts nothing off, or neither part is filled up to `birth +
-  /// maxPersistence`.
+  /// The distance at which one of the two parts that the loop cuts off is filled, in model units,
+  /// by the elder rule; infinite where the loop cuts nothing off, or neither part is filled up to
+  /// `birth + maxPersistence`.
   double death{std::numeric_limits<double>::infinity()};
 
   /// How long it lasts.

@@ -74,7 +74,7 @@ test('before the first model the address means what the link asks for, though it
 test('of another model the choices of manner stay, of the same one also its unit and limits', () => {
   const whole = Object.fromEntries(Object.entries(choices).map(([key, [value]]) => [key, value]));
   const [another, same] = [left(whole, true), left(whole, false)];
-  const own = ['unit', 'shown', 'up', 'section', 'tube', 'wall', 'gap', 'printer'];
+  const own = ['unit', 'shown', 'up', 'section', 'tube', 'wall', 'gap', 'printer', 'reference'];
   expect(Object.keys(same).sort()).toEqual([...Object.keys(another), ...own].sort());
   expect(Object.keys(another).sort()).toEqual(
     [

@@ -125,8 +125,9 @@ export interface SaddleBar {
   /** Its distance from p, in model units: half the length of its loop. */
   birth: number;
   /**
-   * The distance at which one of the two parts that the loop cuts off is filled, by the elder rule;
-   * infinite where the loop cuts nothing off, or neither part is filled up to `birth + maxPersistence`.
+   * The distance at which one of the two parts that the loop cuts off is filled, in model units, by the
+   * elder rule; infinite where the loop cuts nothing off, or neither part is filled up to `birth +
+   * maxPersistence`.
    */
   death: number;
 }
