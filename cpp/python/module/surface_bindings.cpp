@@ -16,6 +16,8 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "curves.h"
+#include "girth/describe/barcode.h"
+#include "girth/describe/geodesic_solver.h"
 #include "girth/describe/prepare_surface.h"
 #include "girth/describe/refined_girth.h"
 #include "girth/fields.h"

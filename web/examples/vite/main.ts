@@ -1,6 +1,6 @@
 // The girth of a chosen file: computed in workers, with progress, cancelled at once; then a table and a histogram.
 
-import { createKernel, GirthError, type Field, type Mesh } from 'girth';
+import { createKernel, GirthError, unitSymbol, type Field, type Mesh } from 'girth';
 
 const byId = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 const progress = byId<HTMLProgressElement>('progress');
@@ -44,9 +44,9 @@ function showTable({ info }: Mesh, { values, range: [least, greatest], unit }: F
   const sorted = values.slice().sort();
   const rows = {
     Vertices: String(info.vertexCount),
-    'Least girth': `${least.toPrecision(4)} ${unit}`,
-    'Median girth': `${sorted[sorted.length >> 1]!.toPrecision(4)} ${unit}`,
-    'Greatest girth': `${greatest.toPrecision(4)} ${unit}`,
+    'Least girth': `${least.toPrecision(4)} ${unitSymbol(unit)}`,
+    'Median girth': `${sorted[sorted.length >> 1]!.toPrecision(4)} ${unitSymbol(unit)}`,
+    'Greatest girth': `${greatest.toPrecision(4)} ${unitSymbol(unit)}`,
   };
   const table = byId<HTMLTableElement>('table');
   table.replaceChildren();
@@ -67,7 +67,7 @@ function showHistogram({ values, range: [least, greatest], unit }: Field): void 
   const most = Math.max(...counts);
   const lines = counts.map((count, bin) => {
     const from = (least + bin * width).toPrecision(3).padStart(8);
-    return `${from} ${unit} ${'#'.repeat(Math.ceil((40 * count) / most))} ${count}`;
+    return `${from} ${unitSymbol(unit)} ${'#'.repeat(Math.ceil((40 * count) / most))} ${count}`;
   });
   byId('histogram').textContent = lines.join('\n');
 }

@@ -1,7 +1,7 @@
 // The element, and the kernel that it computes with, from one bundle. Webpack carries the kernel's workers and
 // WebAssembly modules along by itself.
 
-import { createKernel } from 'girth';
+import { createKernel, unitSymbol } from 'girth';
 import { useKernel } from 'girth/element';
 
 const kernel = createKernel();
@@ -9,4 +9,4 @@ useKernel(kernel);
 
 const mesh = await (await kernel).load('chair.glb');
 const { range, unit } = await mesh.field('igf');
-document.querySelector('#least').value = `${range[0].toFixed(3)} ${unit}`;
+document.querySelector('#least').value = `${range[0].toFixed(3)} ${unitSymbol(unit)}`;

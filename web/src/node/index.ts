@@ -6,6 +6,8 @@ import { nodeWorkers } from './kernel-workers.js';
 import { node } from './platform.js';
 
 export { GirthError } from '../kernel/types/errors.js';
+export { type LengthUnit, findLengthUnit, lengthUnits } from '../kernel/types/length-units.js';
+export { unitName, unitSymbol } from '../kernel/types/units.js';
 export { version } from '../kernel/types/version.js';
 export type * from '../kernel/types/types.js';
 
