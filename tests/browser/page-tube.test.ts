@@ -77,20 +77,20 @@ test('the degree of a narrowing and of a bulge, in one action', async () => {
   expect(Math.max(...diameters)).toBeGreaterThan(4.9);
 });
 
-test('another reference is in the link, and undone; a station is pinned', async () => {
+test('the section at the cursor is said, and its loop pinned; another reference is in the link, and undone', async () => {
   await panel.locator('summary').click();
   await panel.getByText('One branch.').waitFor();
-  await panel.getByLabel('Compared with').selectOption('mean');
-  await expect.poll(() => page.url()).toContain('reference=mean');
-  await panel.getByText('One branch.').waitFor();
-  await page.keyboard.press('Control+z');
-  await expect.poll(() => panel.getByLabel('Compared with').inputValue()).toBe('taper');
   const plot = panel.getByRole('slider', { name: 'Diameter along the centreline' });
   await plot.focus();
   await page.keyboard.press('ArrowRight');
   await panel.getByText(/from the beginning: diameter 3\.98\smm, largest circle inside/).waitFor();
   await page.keyboard.press('Enter');
   await expect.poll(() => viewer.evaluate((element: GirthViewer) => element.pinned.length)).toBe(1);
+  await panel.getByLabel('Compared with').selectOption('mean');
+  await expect.poll(() => page.url()).toContain('reference=mean');
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => panel.getByLabel('Compared with').inputValue()).toBe('taper');
+  await panel.getByText('One branch.').waitFor();
 });
 
 test('a surface that is no tube says why; another model is measured anew', async () => {
