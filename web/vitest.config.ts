@@ -40,7 +40,8 @@ export default defineConfig({
         test: {
           name: 'node',
           include: ['tests/node/**/*.test.ts'],
-          testTimeout: 120_000,
+          // A document's commands run one after the other: generous, since a busy machine is no failure.
+          testTimeout: 600_000,
           hookTimeout: 120_000,
         },
       },
