@@ -38,13 +38,9 @@ Result<DistancesOptions> pairsOf(const Options& options, const io::LoadedMesh& l
           options.between + " has a row of " + std::to_string(row.size()) + " points, not of two",
           "write the two points of a pair into a row, as in 12,88");
     }
-    std::vector<SurfacePoint> points;
-    for (const TypedPoint& one : row) {
-      const auto point = surfacePoint(loaded, one, options.model, options.preparing);
-      if (!point) return point.error();
-      points.push_back(point.value());
-    }
-    wanted.pairs.push_back({points[0], points[1]});
+    const auto points = surfacePoints(loaded, row, options.model, options.preparing);
+    if (!points) return points.error();
+    wanted.pairs.push_back({points.value()[0], points.value()[1]});
   }
   return wanted;
 }

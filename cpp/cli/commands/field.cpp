@@ -285,11 +285,9 @@ void addParameter(OptionTable& table, const Taken<Points>& of, std::vector<Surfa
       .onlyFor("--field", of.ofFields());
   options.ofModel.emplace_back(
       [typed, &member, &options](const io::LoadedMesh& loaded) -> std::optional<Error> {
-        for (const TypedPoint& one : *typed) {
-          const auto point = surfacePoint(loaded, one, options.model, options.preparing);
-          if (!point) return point.error();
-          member.push_back(point.value());
-        }
+        const auto points = surfacePoints(loaded, *typed, options.model, options.preparing);
+        if (!points) return points.error();
+        member.insert(member.end(), points.value().begin(), points.value().end());
         return std::nullopt;
       });
 }

@@ -39,18 +39,6 @@ struct Options {
   bool json{false};
 };
 
-/// The points on the surface that were typed.
-Result<std::vector<SurfacePoint>> pointsOf(const Options& options, const io::LoadedMesh& loaded,
-                                           const std::vector<TypedPoint>& typed) {
-  std::vector<SurfacePoint> points;
-  for (const TypedPoint& one : typed) {
-    const auto point = surfacePoint(loaded, one, options.model, options.preparing);
-    if (!point) return point.error();
-    points.push_back(point.value());
-  }
-  return points;
-}
-
 void printText(const Options& options, const io::LoadedMesh& loaded,
                const std::vector<PathStation>& stations, const PathStation& least) {
   const auto greatest =
@@ -159,7 +147,7 @@ int run(const Options& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
-  const auto points = pointsOf(options, loaded.value(), typed);
+  const auto points = surfacePoints(loaded.value(), typed, options.model, options.preparing);
   if (!points) return reportError(options.model, points.error());
   const auto path = shortestPathThrough(loaded.value().mesh, points.value());
   if (!path) return reportError(options.model, path.error());

@@ -46,13 +46,7 @@ Result<std::vector<SurfacePoint>> typedPoints(const Options& options,
     return usageError("--along: " + problem,
                       "name points, as in 12,88,7, or a .json, .obj or .csv file");
   }
-  std::vector<SurfacePoint> points;
-  for (const TypedPoint& one : typed) {
-    const auto point = surfacePoint(loaded, one, options.model, options.preparing);
-    if (!point) return point.error();
-    points.push_back(point.value());
-  }
-  return points;
+  return surfacePoints(loaded, typed, options.model, options.preparing);
 }
 
 Result<std::vector<SurfacePoint>> pointsAlong(const Options& options,

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands/common_options.h"
@@ -48,11 +49,9 @@ Result<Tubes> compute(const Options& options, const io::LoadedMesh& loaded) {
                       "write one: -o places.csv; JSON has the narrowings anyway");
   }
   TubesOptions wanted;
-  for (const TypedPoint& one : options.ends) {
-    const auto point = surfacePoint(loaded, one, options.model, options.preparing);
-    if (!point) return point.error();
-    wanted.ends.push_back(point.value());
-  }
+  auto ends = surfacePoints(loaded, options.ends, options.model, options.preparing);
+  if (!ends) return ends.error();
+  wanted.ends = std::move(ends).value();
   if (!options.spacing.empty()) {
     if (auto error = readLength(options.spacing, loaded.unit, wanted.spacing)) {
       return *std::move(error);

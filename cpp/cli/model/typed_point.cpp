@@ -166,4 +166,17 @@ Result<SurfacePoint> surfacePoint(const io::LoadedMesh& loaded, const TypedPoint
   return SurfacePoint::inFace(Face(face), shares.value());
 }
 
+Result<std::vector<SurfacePoint>> surfacePoints(const io::LoadedMesh& loaded,
+                                                const std::vector<TypedPoint>& points,
+                                                const std::string& path,
+                                                const ModelOptions& preparing) {
+  std::vector<SurfacePoint> found;
+  for (const TypedPoint& one : points) {
+    const auto point = surfacePoint(loaded, one, path, preparing);
+    if (!point) return point.error();
+    found.push_back(point.value());
+  }
+  return found;
+}
+
 }  // namespace girth::cli

@@ -46,4 +46,10 @@ Result<std::vector<std::vector<TypedPoint>>> readPointRows(const std::string& pa
 Result<SurfacePoint> surfacePoint(const io::LoadedMesh& loaded, const TypedPoint& point,
                                   const std::string& path, const ModelOptions& preparing);
 
+/// Several of them, in order. The first error.
+Result<std::vector<SurfacePoint>> surfacePoints(const io::LoadedMesh& loaded,
+                                                const std::vector<TypedPoint>& points,
+                                                const std::string& path,
+                                                const ModelOptions& preparing);
+
 }  // namespace girth::cli

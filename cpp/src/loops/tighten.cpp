@@ -27,10 +27,7 @@ Error tighteningCancelled() {
 }
 
 /// The curve from one given point to the next: points of the mesh, each two neighbours in one face.
-struct Joint {
-  std::vector<SurfacePoint> points;
-  double length{0};
-};
+using Joint = std::vector<SurfacePoint>;
 
 class Drawing {
  public:
@@ -49,7 +46,7 @@ class Drawing {
     } else if (options_.fixed && given_.size() > 1) {
       for (std::size_t i = 0; i < joints_.size(); ++i) {
         const SurfacePoint &start = given_[i], &end = given_[(i + 1) % given_.size()];
-        if (auto error = addPiece(curve, start, end, joints_[i].points, true)) {
+        if (auto error = addPiece(curve, start, end, joints_[i], true)) {
           return *std::move(error);
         }
       }
@@ -105,14 +102,13 @@ class Drawing {
       const SurfacePoint &start = given_[i], &end = given_[(i + 1) % count];
       Joint joint;
       if (loops::commonFace(mesh_, start, end)) {
-        joint.points = {start, end};
+        joint = {start, end};
       } else {
         auto path = solver().path(start, end, context_.ofOneThread());
         if (!path) return path.error();
-        joint.points = std::move(path.value().points);
-        setEnds(joint.points, start, end);
+        joint = std::move(path.value().points);
+        setEnds(joint, start, end);
       }
-      joint.length = lengthThrough(joint.points);
       joints_.push_back(std::move(joint));
     }
     return std::nullopt;
@@ -145,7 +141,7 @@ class Drawing {
   std::vector<SurfacePoint> allPoints() const {
     std::vector<SurfacePoint> points{given_[0]};
     for (const Joint& joint : joints_) {
-      points.insert(points.end(), joint.points.begin() + 1, joint.points.end());
+      points.insert(points.end(), joint.begin() + 1, joint.end());
     }
     return points;
   }
