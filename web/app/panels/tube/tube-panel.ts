@@ -23,10 +23,10 @@ import type { Table } from '../../widgets/table-text.js';
 
 /** The diameters that degrees are measured against, in words. */
 const references: Readonly<Record<TubeReference, string>> = {
-  taper: 'taper of both sides',
-  mean: 'mean of both sides',
-  before: 'side before',
-  beyond: 'side beyond',
+  taper: 'the taper',
+  mean: 'the mean',
+  before: 'the side before',
+  beyond: 'the side beyond',
 };
 
 /** The words that follow 'The surface'. */
@@ -301,7 +301,5 @@ function wordsOf({ branches, others, places }: Tubes): string {
   }
   const count = branches.length;
   const tubes = count === 1 ? 'One branch' : `${count} branches`;
-  return places.length === 0
-    ? `${tubes}, as wide as beside it everywhere, within 10\u202f%.`
-    : `${tubes}.`;
+  return places.length === 0 ? `${tubes}, without a narrowing or a bulge.` : `${tubes}.`;
 }
