@@ -3,8 +3,8 @@
 //   hard_cases [SHAPE...]     those whose name contains one of the words
 //
 // Values of up to 24 vertices of each, spread over the surface, on one core, by processor time.
-// What a source costs besides its windows (the vertices that it reaches, the memory that is
-// cleared) is counted as windows too: one for each vertex.
+// All other costs of a source (the vertices that it reaches, the memory that is cleared) are
+// counted as windows too: one for each vertex.
 
 #include <algorithm>
 #include <cstdio>

@@ -5,8 +5,8 @@
 //
 // tau is P per cent of the square root of the area, 2 by default. Without models: one each of
 // 10,000 and 50,000 faces, the horse and the elephant of the corpus (GIRTH_DATA), otherwise bumpy
-// tori. Of each up to N vertices, 2048 by default, in the order in which a field is computed, the
-// two ways taking turns of 32 of them.
+// tori. Up to N vertices of each, 2048 by default, are computed in the order of a field, the two
+// ways taking turns of 32 of them.
 
 #include <algorithm>
 #include <cmath>

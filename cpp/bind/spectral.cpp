@@ -18,7 +18,7 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
-/// A number of JavaScript as a count. What is no count becomes 0, which is refused.
+/// A number of JavaScript as a count. Anything else becomes 0, which is refused.
 Index countOf(const val& number, Index byDefault) {
   if (number.isUndefined()) return byDefault;
   const double count = number.as<double>();

@@ -82,8 +82,8 @@ inline Result<AnyFunction> functionOf(const SurfaceMesh& mesh, const FieldReques
   return std::visit([](const auto& one) { return AnyFunction(one); }, function.value());
 }
 
-/// Values as JavaScript receives them (`PartialField` of types.ts). Only the girth has `kinds`. Of
-/// barcodes the values are those of the rest, with how many bars each has, and births and deaths in
+/// Values as JavaScript receives them (`PartialField` of types.ts). Only the girth has `kinds`. The
+/// values of barcodes are those of the rest, with how many bars each has, and births and deaths in
 /// turn.
 struct ValueArrays {
   std::vector<double> values;

@@ -1,4 +1,4 @@
-// Files with fields and loops.
+// Files with the surface, with fields and with loops.
 
 #include <emscripten/bind.h>
 
@@ -8,6 +8,7 @@
 #include "girth/girth_solver.h"
 #include "girth/io/write_field.h"
 #include "girth/io/write_loop.h"
+#include "girth/io/write_mesh.h"
 #include "job_surface.h"
 #include "surface_point.h"
 
@@ -68,6 +69,18 @@ val writeFields(JobSurface& surface, const val& model, const val& list, const st
   });
 }
 
+/// {bytes} of a file with the surface alone, or an error.
+val writeModel(JobSurface& surface, const val& model, const std::string& format) {
+  return guarded([&]() -> val {
+    const auto known = io::meshFormat("." + format);
+    if (!known) {
+      return toJs(makeError(ErrorCode::Usage, -1, "models are not written as '" + format + "'"));
+    }
+    const io::LoadedMesh& loaded = surface.inUnit(unitOf(model));
+    return fileOf(io::meshFile(loaded.mesh, *known, loaded.unit));
+  });
+}
+
 /// {files}, one for the loop at each of the points (vertices, or faces with weights), or an error.
 val writeLoops(JobSurface& surface, const val& model, const val& points,
                const std::string& format) {
@@ -91,6 +104,7 @@ val writeLoops(JobSurface& surface, const val& model, const val& points,
 
 EMSCRIPTEN_BINDINGS(girthWrite) {
   emscripten::function("writeFields", &writeFields);
+  emscripten::function("writeModel", &writeModel);
   emscripten::function("writeLoops", &writeLoops);
 }
 

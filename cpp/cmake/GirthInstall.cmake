@@ -41,8 +41,8 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/girthConfig.cmake"
               "${CMAKE_CURRENT_BINARY_DIR}/girthConfigVersion.cmake"
         DESTINATION ${package} COMPONENT development)
 
-# girth.pc is the core, girth-io.pc and girth-study.pc the others. What static libraries are to be linked
-# with stands in their Libs, that of shared ones in Libs.private.
+# girth.pc is the core, girth-io.pc and girth-study.pc the others. The libraries that static ones are to be linked with
+# stand in their Libs, those of shared ones in Libs.private.
 cmake_path(SET girthPcFolder NORMALIZE "/${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 string(REGEX REPLACE "/[^/]+" "/.." girthPcRoot "${girthPcFolder}")
 # `girth_pkg_config(name library description requires needs)`

@@ -35,17 +35,17 @@ function(girth_precompile target)
     ${target} PRIVATE <algorithm> <array> <atomic> <cmath> <cstddef> <cstdint> <functional> <limits>
                       <memory> <optional> <span> <string> <string_view> <thread> <utility> <variant>
                       <vector> ${ARGN})
-  # Without -fpch-preprocess ccache cannot see what a precompiled header was made of. Of a precompiled system header GCC
-  # 12 forgets that it is one, and sees overlaps in its strings that are not there (GCC bug 105651 again), and vectors
+  # Without -fpch-preprocess ccache cannot see what a precompiled header was made of. GCC 12 forgets that a precompiled
+  # header is a system header, and sees overlaps in its strings that are not there (GCC bug 105651 again), and vectors
   # that free what they never had.
   target_compile_options(
     ${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow
                       -Wno-stringop-overread -Wno-free-nonheap-object>)
 endfunction()
 
-# Compiles some sources of a target at a time, which share what they include; only while Girth itself is developed. What
-# is large, or compiled with options of its own, stays alone. So few at a time that a changed source costs seconds; names
-# in anonymous namespaces must differ between them.
+# Compiles some sources of a target at a time, which share what they include; only while Girth itself is developed. A
+# source that is large, or compiled with options of its own, stays alone. So few at a time that a changed source costs
+# seconds; names in anonymous namespaces must differ between them.
 function(girth_unity target)
   if(GIRTH_UNITY_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)

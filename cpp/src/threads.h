@@ -11,8 +11,9 @@ namespace girth {
 using ThreadBody = std::function<void(bool calling, const std::atomic<bool>& failed)>;
 
 /// Runs `body` on `threads` threads at once, the calling one among them, and returns when all have
-/// ended. What a body throws sets `failed` and is thrown again here; of several exceptions, the
-/// first. Where the system has fewer threads left, those that there are do the work.
+/// ended. An exception that a body throws sets `failed` and is thrown again here; of several
+/// exceptions, the first. Where the system has fewer threads left, those that there are do the
+/// work.
 void onThreads(unsigned threads, const ThreadBody& body);
 
 }  // namespace girth

@@ -35,7 +35,9 @@ test('each change is a step back, and forth again, the model too', async () => {
   await page.keyboard.press('Control+z');
   await expect.poll(() => viewer.getAttribute('colormap')).toBe(null);
   expect(await isDisabled()).toEqual(['true', 'false']);
-  expect(await page.locator('#said').textContent()).toContain('Undone.');
+  expect(await page.locator('#said').textContent()).toContain('Undone: colour map.');
+  expect(await redo.getAttribute('title')).toBe('Redo: colour map');
+  expect(await page.locator('#said').isVisible()).toBe(true);
   await page.keyboard.press('Control+Shift+z');
   await expect.poll(() => viewer.getAttribute('colormap')).toBe('magma');
   await page.keyboard.press('Control+y');

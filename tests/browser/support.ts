@@ -172,8 +172,8 @@ export const pictures = join(repository, 'build/pictures');
 export const allPixels = { deviceScaleFactor: 1 } as const;
 
 /**
- * Options of every context. A quarter of the pixels take five sixths of the processor time, without a graphics card. What a service worker
- * keeps would come before what a test serves.
+ * Options of every context. A quarter of the pixels take five sixths of the processor time, without a graphics card.
+ * Files that a service worker keeps would come before what a test serves.
  */
 const usual = {
   viewport: { width: 1024, height: 768 },

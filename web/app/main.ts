@@ -19,6 +19,7 @@ import { byId, nextTask, once } from './widgets/dom.js';
 import { type Files, acceptDrops } from './model/drop.js';
 import { type Example, ExamplesStrip } from './model/examples-strip.js';
 import { offerExports } from './export/export-menu.js';
+import { takeResults } from './model/grown-results.js';
 import { failureWords } from './widgets/failure-words.js';
 import { FieldPanel } from './panels/field/field-panel.js';
 import { removalWords } from './panels/necks/handle-removal.js';
@@ -60,8 +61,8 @@ const viewer = byId<GirthViewer>('viewer');
 const invitation = byId('invitation');
 const projectFault = byId('project-fault');
 const store = new Store();
-const session = new Session(viewer);
 const computed = new ComputedFields(viewer);
+const session = new Session(viewer, () => takeResults(viewer, computed, store.shown));
 followAttributes(viewer, store);
 showUntilTouched(viewer);
 

@@ -1,7 +1,7 @@
 // Lets the page work offline after the first visit: keeps every file of one version, and answers with them.
 //
-// The build writes the list of files with their hashes into this worker (`web/scripts/offline.mjs`). What is kept is kept
-// by path and hash: another version fetches only what has changed, and a page gets all of its files from one version.
+// The build writes the list of files with their hashes into this worker (`web/scripts/offline.mjs`). Files are kept by
+// path and hash: another version fetches only what has changed, and a page gets all of its files from one version.
 // Files are as the server has sent them, headers included, so that threads are there offline where they were online. A
 // new version waits until the page asks for it. Files that are not listed, such as models of others, are none of its
 // business, but for the documentation: what was read of it can be read again.

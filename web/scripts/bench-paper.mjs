@@ -1,10 +1,10 @@
 // `npm run bench:paper [-- --naive-seconds S] [-- --folder FOLDER] [-- --only PART]`: the paper's Table I and Figure 6, and
 // the time of the library's methods up to a million triangles, measured here and written to
 // web/docs/bench/paper.{md,json,svg} and scale.svg. The naive algorithm runs for at most about S seconds a size.
-// Default: 600. What would take longer is extrapolated, and marked so. Half an hour on a machine that does nothing
-// else; the figures are of the machine that it runs on. --only: of `paper`, the first two, `scale`, the methods up to a
-// million triangles (ten minutes), and `divided`, surfaces with flat vertices (five minutes), one alone, or `none`; the
-// rest stays as paper.json has it.
+// Default: 600. Runs that would take longer are extrapolated, and marked so. Half an hour on a machine that does
+// nothing else; the figures are of the machine that it runs on. --only: of `paper`, the first two, `scale`, the methods
+// up to a million triangles (ten minutes), and `divided`, surfaces with flat vertices (five minutes), one alone, or
+// `none`; the rest stays as paper.json has it.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { availableParallelism, cpus } from 'node:os';

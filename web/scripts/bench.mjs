@@ -1,5 +1,5 @@
-// `npm run bench [-- NAME... --FLAG...]`: builds and runs the native benchmarks. What follows the first flag goes
-// to the programs as it is.
+// `npm run bench [-- NAME... --FLAG...]`: builds and runs the native benchmarks. All words from the first flag on go to
+// the programs as they are.
 
 import { basename } from 'node:path';
 import { buildNative } from './build.mjs';

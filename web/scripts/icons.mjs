@@ -11,7 +11,7 @@ import { repository, script } from './run.mjs';
 
 const app = join(repository, 'web/app');
 const paper = '#fbfbfa';
-/** Name, pixels, the share of them that the icon takes, what is behind it. Of a maskable one 80% are always seen. */
+/** Name, pixels, the share of them that the icon takes, what is behind it. A maskable icon shows 80% at least. */
 const pictures = [
   ['icon-192', 192, 1, 'transparent'],
   ['icon-512', 512, 1, 'transparent'],

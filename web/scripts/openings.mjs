@@ -13,6 +13,8 @@ const folders = [
 ];
 
 const opening = /^(?:And|Of|That|The same|Those|What|Who)\b/i;
+/** A later sentence of a comment. */
+const sentence = /[.!?] ((?:And|Of|That|The same|Those|What|Who)\b.*)$/;
 
 /**
  * How a line of Python opens its part of a docstring: the docstring itself, or what is said of a parameter or a result.
@@ -28,7 +30,7 @@ function docstringAt(lines, i) {
 }
 
 /**
- * The comments of a source that open without their subject, each as line and text.
+ * The comments of a source, and sentences in them, that open without their subject, each as line and text.
  * @param {string} path its ending says how comments look
  * @param {string} text
  * @returns {{ line: number, comment: string }[]}
@@ -40,6 +42,7 @@ export function openingsIn(path, text) {
   /** @type {{ line: number, comment: string }[]} */
   const found = [];
   let isInside = false;
+  let before = '';
   const lines = text.split('\n');
   lines.forEach((line, i) => {
     const own = whole.exec(line)?.[1];
@@ -47,7 +50,12 @@ export function openingsIn(path, text) {
     const isLater = isInside && !isBlock;
     const comment = own === undefined ? behind.exec(line)?.[1] : isLater ? undefined : own;
     const begun = comment ?? (/\.pyi?$/.test(path) ? docstringAt(lines, i) : undefined);
-    if (begun !== undefined && opening.test(begun)) found.push({ line: i + 1, comment: begun });
+    const all = own ?? behind.exec(line)?.[1] ?? '';
+    // A sentence may begin where a line does.
+    const later = sentence.exec(isLater ? `${before.trimEnd().slice(-1)} ${all}` : all)?.[1];
+    const wrong = begun !== undefined && opening.test(begun) ? begun : later;
+    if (wrong !== undefined) found.push({ line: i + 1, comment: wrong });
+    before = all;
     isInside = own !== undefined && own !== '' && !line.trimEnd().endsWith('*/');
   });
   return found;

@@ -201,7 +201,11 @@ function pythonMember({ how, name, type, comment, typescript, isEnumeration }) {
   const [annotation, words = annotation] = isEnumeration
     ? ['str']
     : (pythonTypes[type] ??
-      (entry ? [`list["${ofClass}"]`, `list of ${ofClass}`] : isOfMembers ? ['dict'] : []));
+      (entry
+        ? [`list["${ofClass}"]`, `list of ${ofClass}`]
+        : isOfMembers
+          ? [`"${pythonName(type)}"`, pythonName(type)]
+          : []));
   if (/^(from|in|is|class|with|global|lambda)$/.test(name)) {
     throw new Error(`${name} is no name of a member in Python`);
   }
@@ -263,7 +267,7 @@ export function pythonText() {
       ...(type === 'GirthProfile' ? ['_places'] : []),
     ]);
     const entries = own.flatMap(({ name: attribute, annotation }) => {
-      const [, entry] = /^list\["(\w+)"\]$/.exec(annotation) ?? [];
+      const [, entry] = /^(?:list\[)?"(\w+)"\]?$/.exec(annotation) ?? [];
       return entry ? [`"${attribute}": "${entry}"`] : [];
     });
     const annotations = [
@@ -291,7 +295,7 @@ __all__ = [${made
 
 
 class _Members(Result):
-    #: The names of the classes of the entries of lists, by member.
+    #: The names of the classes of results within a result, alone or in lists, by member.
     _entries: dict[str, str] = {}
     #: The classes by their names: of two with one name the later one, which extends the other.
     _classes: dict[str, Any] = {}
@@ -303,12 +307,14 @@ class _Members(Result):
     def __init__(self, found: dict[str, Any]) -> None:
         self.__dict__.update(found)
         for member, name in self._entries.items():
-            entry = self._classes[name]
-            setattr(self, member, [entry(one) for one in found[member]])
+            entry, given = self._classes[name], found[member]
+            made = [entry(one) for one in given] if isinstance(given, list) else entry(given)
+            setattr(self, member, made)
 
     def _line(self) -> str:
         found = self.__dict__.items()
-        counts = [f"{len(self.__dict__[name])} {name}" for name in self._entries]
+        lists = [name for name in self._entries if isinstance(self.__dict__[name], list)]
+        counts = [f"{len(self.__dict__[name])} {name}" for name in lists]
         numbers = [f"{name} {value:.6g}" for name, value in found if isinstance(value, float)]
         return ", ".join(counts + numbers)
 

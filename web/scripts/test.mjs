@@ -1,9 +1,9 @@
 // `npm test`: sets up, then lints, builds and runs the tests; `test.mjs NAME...` only those parts, with what
 // they need; `--all` everything (`npm run test:all`). A part that fails does not keep the others from
-// running. What a part has passed on, it is not run on again, but in continuous integration, by name and
-// with `--whole`. Two lanes run at once: what has to wait for its own steps goes first, and compiling and testing
-// the native code takes the processor time that is left. Prints what each part took, and writes it to
-// build/reports/times.json; the output of each part is in build/reports/NAME.log.
+// running. A part is not run again on sources that it has passed on, but in continuous integration, by name and with
+// `--whole`. Two lanes run at once: what has to wait for its own steps goes first, and compiling and testing the native
+// code takes the processor time that is left. Prints what each part took, and writes it to build/reports/times.json;
+// the output of each part is in build/reports/NAME.log.
 
 import { spawn } from 'node:child_process';
 import {

@@ -31,8 +31,8 @@ enum class IchFilter : std::uint8_t {
 /// Lemma 4.2 deletes it. When the filter is asked is the caller's choice.
 ///
 /// Read so, the lemmas are *not right* at every vertex: the filters drop windows that a loop needs,
-/// and windows that survive form loops whose halves are not shortest. That is what the benchmark
-/// counts; the library itself proves every loop (GirthSolver).
+/// and windows that survive form loops whose halves are not shortest. The benchmark counts these
+/// vertices; the library itself proves every loop (GirthSolver).
 ///
 /// Keeps its memory between calls, clears only what a call has touched, and recycles windows. The
 /// mesh must outlive it.

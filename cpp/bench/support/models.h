@@ -24,7 +24,7 @@ Model bumpyTorus(Index faces);
 
 /// A shape with exactly `faces` triangles (one more where the parity asks for it): again and
 /// again the longest edge is halved, its middle moved by up to 2% of the edge to any side, so that
-/// the result is not flat where it was split. The same mesh on every machine. O(n log n).
+/// the result is not flat where it was split. Every machine makes an equal mesh. O(n log n).
 Model refined(const Model& model, Index faces);
 
 /// `folder/path` where the environment names a folder of models in GIRTH_DATA, otherwise "".

@@ -1,5 +1,5 @@
-// Zip archives: their directory, and their files one at a time. What an archive states of itself is
-// checked before memory is allocated for it. The page reads them alike
+// Zip archives: their directory, and their files one at a time. The sizes that an archive states
+// are checked before memory is allocated for it. The page reads them alike
 // (web/src/kernel/unpack/zip.ts).
 #pragma once
 

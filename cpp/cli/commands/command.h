@@ -18,7 +18,7 @@ struct Command {
   const char* name;
   /// One line for the list of commands.
   const char* summary;
-  /// Declares the options and examples. What is returned runs once they have been parsed. Null
+  /// Declares the options and examples. The returned function runs once they have been parsed. Null
   /// where there are commands below this one.
   Run (*add)(OptionTable& table);
   /// Commands of which one must follow: those of `girth study`.

@@ -31,7 +31,7 @@ Result<Necks> computeNecks(const std::string& model, const io::LoadedMesh& loade
   }();
   if (!found || minProminence) return found;
   std::vector<Neck>& necks = found.value().necks;
-  const double least = suggestedProminence(necks);
+  const double least = found.value().suggestedProminence;
   const std::size_t all = necks.size();
   std::erase_if(necks, [&](const Neck& neck) { return neck.prominence < least; });
   if (const std::size_t out = all - necks.size(); out > 0) {

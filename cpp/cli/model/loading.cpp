@@ -17,7 +17,7 @@
 namespace girth::cli {
 namespace {
 
-/// The component that a user named. Those of `parts` are numbered by their place.
+/// The component that a user named. Components of `parts` are numbered by their place.
 Result<Index> componentOf(const std::string& text, const std::vector<SurfacePart>& parts) {
   if (text == "largest") {
     const auto largest = std::max_element(

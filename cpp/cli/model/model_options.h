@@ -42,7 +42,7 @@ struct ModelOptions {
 void addModelOptions(OptionTable& table, ModelOptions& options);
 
 /// The options that were given, as they could be typed: "--weld 0.1mm --close-holes"; empty without
-/// any. Of one file, models with the same text are the same surface.
+/// any. Models of one file with equal text are the same surface.
 std::string preparationText(const ModelOptions& options);
 
 /// The most faces that can be asked for.

@@ -20,7 +20,7 @@ target_link_options(
   -O3 -fwasm-exceptions -pthread
   "SHELL:--js-library \"${library}\""
   -sMODULARIZE=1 -sEXPORT_NAME=createGirthCommand -sENVIRONMENT=node,worker -sNODERAWFS=1
-  # main has a thread of its own, so that the first one can start others and hear signals. That and another start
+  # main has a thread of its own, so that the first one can start others and hear signals. It starts, and another one,
   # while the module is compiled.
   -sPROXY_TO_PTHREAD=1 -sPTHREAD_POOL_SIZE=2 -sEXIT_RUNTIME=1 -sDEFAULT_PTHREAD_STACK_SIZE=4194304
   "-sEXPORTED_FUNCTIONS=_main,_malloc,_free"

@@ -33,9 +33,9 @@ struct StudyModels {
   std::size_t contents{0}, computed{0}, taken{0};
 };
 
-/// Computes the fields that are not in the cache, and the signatures. Of a share of the work only
-/// the fields are computed: `models`, `classes` and `distances` stay empty. Failures and notes are
-/// also printed on standard error. Errors: CANCELLED; the fields computed so far are in the cache.
+/// Computes the fields that are not in the cache, and the signatures. A share of the work computes
+/// only the fields: `models`, `classes` and `distances` stay empty. Failures and notes are also
+/// printed on standard error. Errors: CANCELLED; the fields computed so far are in the cache.
 Result<StudyModels> loadStudyModels(const Collection& collection,
                                     const std::vector<study::Descriptor>& descriptors,
                                     const ModelOptions& preparing, const ComparisonOptions& options,

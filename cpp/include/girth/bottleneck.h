@@ -66,10 +66,10 @@ struct Bottleneck {
 /// hundredth, and a wider way between vertices that are all narrower, may be missed.
 ///
 /// `girth`: I(v) for each vertex; where it is NaN no way leads. Time: some hundred values of the
-/// girth, on all threads. The same result for any number of threads. Errors: USAGE where the values
-/// are not as many as the vertices; INVALID_POINT or VERTEX_OUT_OF_RANGE where one of the points is
-/// none of the surface; INVALID_POINT where they lie in different components, or no way leads from
-/// one to the other; CANCELLED.
+/// girth, on all threads. Any number of threads gives the same result. Errors: USAGE where the
+/// values are not as many as the vertices; INVALID_POINT or VERTEX_OUT_OF_RANGE where one of the
+/// points is none of the surface; INVALID_POINT where they lie in different components, or no way
+/// leads from one to the other; CANCELLED.
 ///
 /// \code
 /// const girth::GirthField field = girth::girthField(mesh);

@@ -85,8 +85,8 @@ struct CurveSide {
   double volume{0};
 };
 
-/// The sides of a curve, the larger area first; one where it does not separate its component. The
-/// same errors.
+/// The sides of a curve, the larger area first; one where it does not separate its component.
+/// Errors are the same.
 GIRTH_EXPORT Result<std::vector<CurveSide>> sidesOf(const SurfaceMesh& mesh,
                                                     const SurfaceCurve& curve);
 

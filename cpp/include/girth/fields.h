@@ -85,8 +85,8 @@ struct FieldValues {
   std::string note;
 };
 
-/// `fieldFunction` at all vertices. The same bits for any number of threads. Errors: the same, and
-/// CANCELLED.
+/// `fieldFunction` at all vertices. Any number of threads gives the same bits. Errors: the same,
+/// and CANCELLED.
 ///
 /// \code
 /// girth::FieldOptions options;

@@ -30,8 +30,8 @@ struct GeodesicExtent {
 };
 
 /// GeoAverage and GeoFarthest at all vertices (web/docs/definitions.md, section 4), by one distance
-/// field for each. The same bits for any number of threads. Time as of so many fields: O(n² log n)
-/// by fast marching, about O(n^2.5) exactly.
+/// field for each. Any number of threads gives the same bits. Time as of so many fields: O(n² log
+/// n) by fast marching, about O(n^2.5) exactly.
 ///
 /// \code
 /// const auto extent = girth::geodesicExtent(mesh, girth::DistanceMethod::Exact);

@@ -62,7 +62,7 @@ class GIRTH_EXPORT GeodesicSolver {
                                         double radius = std::numeric_limits<double>::infinity(),
                                         const ExecutionContext& context = {});
 
-  /// A shortest path from one point to another. The same errors.
+  /// A shortest path from one point to another. Errors are the same.
   Result<GeodesicPath> path(const SurfacePoint& from, const SurfacePoint& to,
                             const ExecutionContext& context = {});
 

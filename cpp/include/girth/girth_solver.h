@@ -116,9 +116,9 @@ class GIRTH_EXPORT GirthSolver {
   /// I(p) for any point p with its loop. Context and errors are the same.
   Result<GirthLoop> loop(const SurfacePoint& point, const ExecutionContext& context = {});
 
-  /// The saddles of the distance from vertex p, and how long they last (girth/barcode.h). The same
-  /// context and errors, and INVALID_OPTION where `maxPersistence` is negative or NaN. O(s log s)
-  /// for s saddles besides the propagation, which goes on to the first that lasts longer than
+  /// The saddles of the distance from vertex p, and how long they last (girth/barcode.h). Context
+  /// and errors are the same, and INVALID_OPTION where `maxPersistence` is negative or NaN. O(s log
+  /// s) for s saddles besides the propagation, which goes on to the first that lasts longer than
   /// `maxPersistence`, and as far beyond it.
   Result<Barcode> barcode(Vertex vertex, const BarcodeOptions& options,
                           const ExecutionContext& context = {});

@@ -83,9 +83,8 @@ struct Handles {
 ///
 /// Time: for each base point one propagation over the whole component, O(n^1.5) to O(n² log n), on
 /// all threads; for the proof up to `windows` windows; for the kinds as given at the header
-/// loops/homology.h, about O(g² n). Nothing for components of genus 0. The same result for any
-/// number of threads. Errors: INVALID_OPTION
-/// (`basePoints` is 0); CANCELLED.
+/// loops/homology.h, about O(g² n). Nothing for components of genus 0. Any number of threads gives
+/// the same result. Errors: INVALID_OPTION (`basePoints` is 0); CANCELLED.
 ///
 /// \code
 /// for (const girth::Handle& handle : girth::findHandles(mesh).value().handles) {

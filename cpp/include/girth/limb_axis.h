@@ -35,7 +35,7 @@ struct AxisStation {
 ///
 /// The girth and the middle of each loop are exact to rounding; the axis is as fine as the loops
 /// are close. Where a loop on the way goes round a bump instead, its middle lies there. Time: a
-/// path, a value and a loop for each, on all threads. The same result for any number of threads.
+/// path, a value and a loop for each, on all threads. Any number of threads gives the same result.
 /// Errors: VERTEX_OUT_OF_RANGE or INVALID_POINT where the place of one of the two stations is none
 /// of the surface, or they lie in different components; CANCELLED.
 GIRTH_EXPORT Result<std::vector<AxisStation>> limbAxis(const SurfaceMesh& mesh,

@@ -89,14 +89,15 @@ struct LimbOptions {
 /// more or loops do not go round the limb.
 ///
 /// Distances are exact at vertices (GeodesicSolver) and linear within faces, so rings are off by
-/// O(h²) for edges of length h, and by O(h) where several shortest paths meet. Of the girth on a
-/// ring, `median` and the choice of the least take values linear along edges, but where the girth
-/// jumps (by more than twice the edge's length) that of the nearer end; the least itself is exact,
-/// of a loop that was traced. Where the loop at the least does not go round the limb, eight others
-/// are tried, at equal shares of the ring by rising girth. Where the least exceeds the median, as
-/// on triangles as large as the limb is thick, these eight are asked for the exact girth, and the
-/// median is theirs. Among points with equal values the shape around them decides, not their
-/// numbers: a limb has the same measures, to rounding, wherever it lies and however it is numbered.
+/// O(h²) for edges of length h, and by O(h) where several shortest paths meet. On a ring `median`
+/// and the choice of the least take values of the girth that are linear along edges, but where it
+/// jumps (by more than twice the edge's length) the value of the nearer end; the least itself is
+/// exact, of a loop that was traced. Where the loop at the least does not go round the limb, eight
+/// others are tried, at equal shares of the ring by rising girth. Where the least exceeds the
+/// median, as on triangles as large as the limb is thick, these eight are asked for the exact
+/// girth, and the median is theirs. Among points with equal values the shape around them decides,
+/// not their numbers: a limb has the same measures, to rounding, wherever it lies and however it is
+/// numbered.
 ///
 /// `girth`: I(v) for each vertex, NaN where there is none. `tips`: of findTips, all or some. Time:
 /// for each tip one distance field, about O(n^1.5), and some loops for each station, on all

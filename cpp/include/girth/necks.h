@@ -11,6 +11,7 @@
 #include "girth/export.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
+#include "girth/version.h"
 
 namespace girth {
 
@@ -64,6 +65,10 @@ struct Necks {
   /// Vertices whose loops could not be followed: their girth is unresolved, or drawing them tight
   /// took more steps than their size explains.
   Index unresolved{0};
+  /// A least prominence for the clear ones, in model units: a twentieth of the narrowest neck's
+  /// length, whatever `minProminence` leaves out. Necks of noise and most of bands of parallel
+  /// loops are below it. 0 without necks.
+  double suggestedProminence{0};
 };
 
 /// The necks that the loops of the vertices lead to: the loop at each vertex is drawn tight, and
@@ -91,7 +96,7 @@ struct Necks {
 /// `girth`: I(v) for each vertex; where it is NaN (not computed), the surface has no loop and no
 /// way. Time: one loop for each vertex, about O(n^1.5) for all of n where they are short, and
 /// mostly less than a hundred values of the girth for each neck, on all threads; memory for the
-/// loops of some of the vertices. The same result for any number of threads. Errors: USAGE where
+/// loops of some of the vertices. Any number of threads gives the same result. Errors: USAGE where
 /// the values are not as many as the vertices; INVALID_OPTION where `minProminence` is negative or
 /// NaN; CANCELLED.
 ///
@@ -105,8 +110,8 @@ GIRTH_EXPORT Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const do
                                      const NeckOptions& options = {},
                                      const ExecutionContext& context = {});
 
-/// A least prominence for the clear ones of all necks of a surface: a twentieth of the narrowest
-/// one's length. Necks of noise and most of bands of parallel loops are below it. 0 without necks.
+/// The older form of `Necks::suggestedProminence`, of all necks of a surface, until 2.0.
+GIRTH_DEPRECATED("use Necks::suggestedProminence")
 GIRTH_EXPORT double suggestedProminence(std::span<const Neck> necks);
 
 }  // namespace girth

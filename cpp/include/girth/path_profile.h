@@ -46,8 +46,8 @@ GIRTH_EXPORT Result<std::vector<SurfacePoint>> shortestPathThrough(
 /// 1e-9 of the path are one.
 ///
 /// `path`: points in order, each two neighbours in one face, between which it runs straight, as
-/// GeodesicPath::points or a SurfaceCurve. Time: a girth for each place, on all threads. The same
-/// result for any number of threads. Errors: INVALID_POINT (element: the point's place in the path)
+/// GeodesicPath::points or a SurfaceCurve. Time: a girth for each place, on all threads. Any number
+/// of threads gives the same result. Errors: INVALID_POINT (element: the point's place in the path)
 /// where a point is none of the surface or two neighbours lie in no common face, and where there is
 /// no point at all; INVALID_OPTION (one sample, or more than 10 million; neither samples nor
 /// crossings); CANCELLED.

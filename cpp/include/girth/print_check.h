@@ -134,10 +134,10 @@ GIRTH_EXPORT std::optional<Error> whyNotChecked(const SurfaceMesh& mesh, const P
 ///
 /// A length below a limit by a millionth of it passes, of walls and gaps by the rounding of the
 /// coordinates in single precision.
-/// `options.side` does not matter. The same for any number of threads. O(n log n) for usual
-/// surfaces, and a loop for every vertex of a tube. Errors: those of whyNotChecked; USAGE where
-/// there are not as many values as vertices, a limit is negative or not a number, or the angle is
-/// out of range.
+/// `options.side` does not matter. Any number of threads gives the same result. O(n log n) for
+/// usual surfaces, and a loop for every vertex of a tube. Errors: those of whyNotChecked; USAGE
+/// where there are not as many values as vertices, a limit is negative or not a number, or the
+/// angle is out of range.
 GIRTH_EXPORT Result<PrintCheck> checkPrint(const SurfaceMesh& mesh, const PrintFields& fields,
                                            const PrintLimits& limits,
                                            const ThicknessOptions& options = {},

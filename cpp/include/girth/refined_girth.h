@@ -86,8 +86,8 @@ struct GIRTH_EXPORT RefinedGirth {
 /// band of faces round the loops of its neighbours, until nothing changes. Where neighbours
 /// contradict each other, the whole surface is asked whether the halves of the shorter loop are
 /// shortest paths; there and at vertices evenly spread it is searched, within bounds. Where many
-/// vertices are flat, loops are looked for on the surface without them. The same bits for any
-/// number of threads.
+/// vertices are flat, loops are looked for on the surface without them. Any number of threads gives
+/// the same bits.
 ///
 /// Time grows with the faces of bands, O(n^1.5) for the usual mesh of n faces: at 50,000 a third to
 /// a sixth of the exact method's. Flat vertices cost as much as on the surface without them.

@@ -45,8 +45,8 @@ struct RemeshedSurface {
 /// Another mesh of the surface. Components, genus and boundary curves stay as they are; boundaries
 /// keep to themselves, and so do, where triangles are even, edges sharper than 50° in lines of some
 /// length. The number of triangles is met to within 2 %, but where the shape needs more (every
-/// component at least 4, every boundary and sharp line its own). The same input always gives the
-/// same triangles. About 10 µs for each triangle, old and new.
+/// component at least 4, every boundary and sharp line its own). Equal inputs always give equal
+/// triangles. About 10 µs for each triangle, old and new.
 ///
 /// Errors: INVALID_OPTION (faces), CANCELLED, OUT_OF_MEMORY.
 ///

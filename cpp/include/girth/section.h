@@ -124,7 +124,7 @@ struct SectionsOptions {
 GIRTH_EXPORT Result<Sections> findSections(const SurfaceMesh& mesh, const SectionsOptions& options,
                                            const ExecutionContext& context = {});
 
-/// The section with one plane. The same errors.
+/// The section with one plane. Errors are the same.
 GIRTH_EXPORT Result<Section> findSection(const SurfaceMesh& mesh, const Vec3& normal,
                                          double offset);
 

@@ -46,7 +46,7 @@ struct ShapeDiameterField {
 /// direction. So they are denser around the axis, and the value is near the diameter: 1.9 r for a
 /// sphere of radius r, 1.05 t for a slab of thickness t.
 ///
-/// The surface may be open. The same bits for any number of threads, natively and in WebAssembly.
+/// The surface may be open. Any number of threads gives the same bits, natively and in WebAssembly.
 /// O(n · rays · log n). Errors: USAGE for options out of range.
 ///
 /// \code
@@ -57,7 +57,7 @@ GIRTH_EXPORT Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
                                                       const ShapeDiameterOptions& options = {},
                                                       const ExecutionContext& context = {});
 
-/// The shape diameter, in model units, vertex by vertex. The same errors.
+/// The shape diameter, in model units, vertex by vertex. Errors are the same.
 GIRTH_EXPORT Result<VertexFunction<double>> shapeDiameterFunction(
     const SurfaceMesh& mesh, const ShapeDiameterOptions& options = {});
 /// The mesh must outlive the function: keep it in a variable.

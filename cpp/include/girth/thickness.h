@@ -51,7 +51,7 @@ struct ThicknessField {
 /// the edges. At an edge with a crease of more than 30° each side has its own ball; the smallest
 /// counts.
 ///
-/// The surface may be open. The same bits for any number of threads, natively and in WebAssembly.
+/// The surface may be open. Any number of threads gives the same bits, natively and in WebAssembly.
 /// O(n log n) for usual surfaces. Errors: USAGE for an angle out of range.
 ///
 /// \code
@@ -62,7 +62,7 @@ GIRTH_EXPORT Result<ThicknessField> medialThickness(const SurfaceMesh& mesh,
                                                     const ThicknessOptions& options = {},
                                                     const ExecutionContext& context = {});
 
-/// The medial thickness, in model units, vertex by vertex. The same errors.
+/// The medial thickness, in model units, vertex by vertex. Errors are the same.
 GIRTH_EXPORT Result<VertexFunction<double>> medialThicknessFunction(
     const SurfaceMesh& mesh, const ThicknessOptions& options = {});
 /// The mesh must outlive the function: keep it in a variable.

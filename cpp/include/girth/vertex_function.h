@@ -74,7 +74,7 @@ GIRTH_EXPORT std::size_t forEachVertex(
     const std::function<void(std::span<const Vertex> vertices)>& onFinished);
 
 /// The function at all vertices, by `forEachVertex`. `onPartial`, where given, has what is new.
-/// The same bits for any number of threads.
+/// Any number of threads gives the same bits.
 template <class Value>
 VertexValues<Value> evaluateAll(
     const SurfaceMesh& mesh, const VertexFunction<Value>& function,

@@ -360,7 +360,7 @@ class BinaryReader : OffReader {
 
 /// `words`: behind the keyword. Most files have a line for each vertex and face, and many have
 /// colours that no keyword announces. Where something is left out or wrong then, but every number
-/// counts in another layout, that is the one. Of a file that has none, the first error says most.
+/// counts in another layout, that is the one. Where no layout fits, the first error says most.
 Result<ReadModel> readAscii(const Words& words, const Keyword& keyword, std::string_view text) {
   AsciiOffReader first(words, keyword, text, kLayouts[0]);
   auto model = first.read();

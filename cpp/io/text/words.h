@@ -18,8 +18,8 @@ GIRTH_EXPORT std::string_view textOf(std::span<const std::byte> bytes);
 bool isBlank(char c);
 bool isLineEnd(char c);
 
-/// A decimal integer with an optional sign, all of `text`; nothing where it is none. What is beyond
-/// 10^12 on either side comes out as such, but not exact.
+/// A decimal integer with an optional sign, all of `text`; nothing where it is none. A number
+/// beyond 10^12 on either side comes out as such, but not exact.
 GIRTH_EXPORT std::optional<std::int64_t> parseInteger(std::string_view text);
 
 /// Takes a text apart. Nothing is copied: words stay valid as long as the text.

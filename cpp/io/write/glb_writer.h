@@ -17,7 +17,7 @@
 namespace girth::io {
 
 /// A file of meshes with one primitive each, every one in a node of its own, valid by the rules of
-/// glTF 2.0. What is added belongs to the mesh that endMesh ends.
+/// glTF 2.0. All that is added belongs to the mesh that endMesh ends.
 class GlbWriter {
  public:
   GlbWriter();

@@ -32,24 +32,22 @@ namespace {
 
 using Shared = std::shared_ptr<Surface>;
 
-/// (necks, unresolved)
-py::tuple necksOf(const Shared& surface, double minProminence, const Running& running) {
+py::dict necksOf(const Shared& surface, double minProminence, const Running& running) {
   const Necks found = compute<Necks>(
       running, [surface, minProminence](const ExecutionContext& context) -> Result<Necks> {
         const auto girth = surface->girth(0, {context.threads, context.cancel, {}});
         if (!girth) return girth.error();
         return findNecks(surface->mesh(), girth.value()->values, {minProminence}, context);
       });
-  return py::make_tuple(listOf(surface->loaded(), found.necks), found.unresolved);
+  return dictOf(surface->loaded(), found);
 }
 
-/// (handles, unresolved)
-py::tuple handlesOf(const Shared& surface, std::size_t basePoints, const Running& running) {
+py::dict handlesOf(const Shared& surface, std::size_t basePoints, const Running& running) {
   const Handles found =
       compute<Handles>(running, [surface, basePoints](const ExecutionContext& context) {
         return findHandles(surface->mesh(), {basePoints}, context);
       });
-  return py::make_tuple(listOf(surface->loaded(), found.handles), found.unresolved);
+  return dictOf(surface->loaded(), found);
 }
 
 /// (vertices, faces, account) of the surface without its short handles.

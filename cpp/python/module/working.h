@@ -17,16 +17,16 @@ namespace girth::python {
 struct Running {
   /// As in ExecutionContext.
   unsigned threads{0};
-  /// A callable that takes the finished share in [0, 1], or None. What it raises stops the work and
-  /// is raised again.
+  /// A callable that takes the finished share in [0, 1], or None. An exception that it raises stops
+  /// the work and is raised again.
   pybind11::object progress;
 };
 
 /// Calls `work` on a thread of its own and waits for it without the interpreter's lock. Every 20 ms
 /// it looks after signals and reports progress; where a signal's handler or `progress` raises, the
 /// work is cancelled and that exception is thrown. Work that does not stop soon is left to end by
-/// itself (waitForAbandoned), and so must own all that it uses. What `work` throws is thrown again;
-/// for lack of memory, as a ThrownError.
+/// itself (waitForAbandoned), and so must own all that it uses. An exception that `work` throws is
+/// thrown again; for lack of memory, as a ThrownError.
 void runWork(const Running& running, std::function<void(const ExecutionContext& context)> work);
 
 /// Runs work that has a result. Throws the error, where there is one, as a ThrownError.

@@ -12,7 +12,7 @@ __all__ = ["Distance", "Distances", "NamedMeasure", "NamedMeasures", "NoTubeComp
 
 
 class _Members(Result):
-    #: The names of the classes of the entries of lists, by member.
+    #: The names of the classes of results within a result, alone or in lists, by member.
     _entries: dict[str, str] = {}
     #: The classes by their names: of two with one name the later one, which extends the other.
     _classes: dict[str, Any] = {}
@@ -24,12 +24,14 @@ class _Members(Result):
     def __init__(self, found: dict[str, Any]) -> None:
         self.__dict__.update(found)
         for member, name in self._entries.items():
-            entry = self._classes[name]
-            setattr(self, member, [entry(one) for one in found[member]])
+            entry, given = self._classes[name], found[member]
+            made = [entry(one) for one in given] if isinstance(given, list) else entry(given)
+            setattr(self, member, made)
 
     def _line(self) -> str:
         found = self.__dict__.items()
-        counts = [f"{len(self.__dict__[name])} {name}" for name in self._entries]
+        lists = [name for name in self._entries if isinstance(self.__dict__[name], list)]
+        counts = [f"{len(self.__dict__[name])} {name}" for name in lists]
         numbers = [f"{name} {value:.6g}" for name, value in found if isinstance(value, float)]
         return ", ".join(counts + numbers)
 
@@ -230,6 +232,22 @@ class Handle(_Members):
     _curve: tuple[np.ndarray, np.ndarray]
 
 
+class Handles(_Members):
+    """The handles of a surface.
+
+    Attributes
+    ----------
+    unresolved : int
+        Handles and tunnels that the genus promises and that were not found.
+    handles : list of Handle
+        The shortest first.
+    """
+
+    _entries = {"handles": "Handle"}
+    unresolved: int
+    handles: list["Handle"]
+
+
 class NamedMeasure(_Members):
     """A measure at a landmark.
 
@@ -419,6 +437,28 @@ class Neck(_Members):
     vertices: np.ndarray
     points: np.ndarray
     _curve: tuple[np.ndarray, np.ndarray]
+
+
+class Necks(_Members):
+    """The necks of a surface.
+
+    Attributes
+    ----------
+    unresolved : int
+        Vertices whose loops could not be followed: their girth is unresolved, or drawing them
+        tight took more steps than their size explains.
+    suggested_prominence : float
+        A least prominence for the clear ones, in model units: a twentieth of the narrowest
+        neck's length, whatever ``min_prominence`` leaves out. Necks of noise and most of bands
+        of parallel loops are below it. 0 without necks.
+    necks : list of Neck
+        Most prominent first, of equal ones the shortest.
+    """
+
+    _entries = {"necks": "Neck"}
+    unresolved: int
+    suggested_prominence: float
+    necks: list["Neck"]
 
 
 class Part(_Members):
@@ -859,6 +899,45 @@ class Tip(_Members):
     apex_distance: float
     vertices: np.ndarray
     contour: list["Contour"]
+
+
+class OpenArc(_Members):
+    """A part of the discontinuity contour that is no tip's: it ends somewhere, or where it
+    meets the contour of a tip, which it follows closely.
+
+    Attributes
+    ----------
+    length : float
+        Its length, in model units.
+    jump : float
+        How far the girth rises across it, in model units: as of a tip.
+    line : Contour
+        Where it runs; never closed.
+    """
+
+    _entries = {"line": "Contour"}
+    length: float
+    jump: float
+    line: "Contour"
+
+
+class Tips(_Members):
+    """The tips of a surface, and what else the girth jumps along.
+
+    Attributes
+    ----------
+    crossed_edges : int
+        Edges that the contour crosses.
+    tips : list of Tip
+        Largest jump first.
+    arcs : list of OpenArc
+        Longest first.
+    """
+
+    _entries = {"tips": "Tip", "arcs": "OpenArc"}
+    crossed_edges: int
+    tips: list["Tip"]
+    arcs: list["OpenArc"]
 
 
 class TubeStation(_Members):

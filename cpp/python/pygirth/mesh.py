@@ -33,13 +33,11 @@ from pygirth.results import (
     Cut,
     Field,
     Girth,
-    Handle,
     HandleRemoval,
     Handles,
     Limb,
     Loop,
     Maximum,
-    Neck,
     Necks,
     Parts,
     Path,
@@ -477,11 +475,11 @@ class Mesh(Analyses, Fields):
         Returns
         -------
         Necks
-            The necks of the command ``girth necks --min-prominence 0``, to the bit.
+            As the command ``girth necks --min-prominence 0`` finds them, to the bit.
+            ``suggested_prominence`` is a ``min_prominence`` for the clear ones.
         """
         least = _not_negative(min_prominence, "min_prominence")
-        found, unresolved = _girth.necks(self._surface, least, running(threads, progress))
-        return Necks([Neck(neck) for neck in found], unresolved)
+        return Necks(_girth.necks(self._surface, least, running(threads, progress)))
 
     def segments(
         self,
@@ -542,10 +540,10 @@ class Mesh(Analyses, Fields):
         Handles
             The handles of the command ``girth handles``, to the bit.
         """
-        found, unresolved = _girth.handles(
+        found = _girth.handles(
             self._surface, _base_points(base_points), running(threads, progress)
         )
-        return Handles([Handle(handle) for handle in found], unresolved)
+        return Handles(found)
 
     def remove_handles(
         self,

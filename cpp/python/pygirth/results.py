@@ -38,6 +38,7 @@ __all__ = [
     "Maximum",
     "Neck",
     "Necks",
+    "OpenArc",
     "Part",
     "Parts",
     "Path",
@@ -58,6 +59,22 @@ __all__ += _members.__all__
 
 def _unit(unit: str) -> str:
     return f" {unit}" if unit else ""
+
+
+class _Sequence:
+    """A result that is a sequence of the entries of one of its lists."""
+
+    #: The name of that list.
+    _list: str
+
+    def __len__(self) -> int:
+        return len(getattr(self, self._list))
+
+    def __getitem__(self, number: int) -> Any:
+        return getattr(self, self._list)[number]
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(getattr(self, self._list))
 
 
 class Field(NDArrayOperatorsMixin, Result):
@@ -327,60 +344,29 @@ class Handle(_members.Handle):
         return f"{self.kind}, length {self.length:.6g}"
 
 
-class _Loops(Result):
-    """A sequence of loops, and how many could not be found."""
-
-    _name = "loops"
-
-    def __init__(self, loops: list, unresolved: int) -> None:
-        self._loops = loops
-        self.unresolved = unresolved
-
-    def __len__(self) -> int:
-        return len(self._loops)
-
-    def __getitem__(self, number: int) -> Any:
-        return self._loops[number]
-
-    def __iter__(self) -> Iterator[Any]:
-        return iter(self._loops)
+class _Loops(_Sequence):
+    """A sequence of loops."""
 
     @property
     def lengths(self) -> np.ndarray:
         """The length of each, float64."""
-        return np.array([loop.length for loop in self._loops], np.float64)
+        return np.array([loop.length for loop in self], np.float64)
 
     def _line(self) -> str:
-        return f"{len(self)} {self._name}, lengths {[float(f'{x:.4g}') for x in self.lengths]}"
+        return f"{len(self)} {self._list}, lengths {[float(f'{x:.4g}') for x in self.lengths]}"
 
 
-class Necks(_Loops):
-    """The necks of a mesh, most prominent first; a sequence of `Neck`.
-
-    Attributes
-    ----------
-    unresolved : int
-        Vertices whose loops could not be followed.
-    """
-
-    _name = "necks"
+class Necks(_Loops, _members.Necks):
+    _list = "necks"
 
     @property
     def prominences(self) -> np.ndarray:
         """The prominence of each, float64."""
-        return np.array([neck.prominence for neck in self._loops], np.float64)
+        return np.array([neck.prominence for neck in self], np.float64)
 
 
-class Handles(_Loops):
-    """The handles and tunnels of a mesh, shortest first; a sequence of `Handle`.
-
-    Attributes
-    ----------
-    unresolved : int
-        Handles and tunnels that the genus promises and that were not found.
-    """
-
-    _name = "handles"
+class Handles(_Loops, _members.Handles):
+    _list = "handles"
 
 
 class RemovedHandle(_members.RemovedHandle):
@@ -481,7 +467,7 @@ class CutPart(_members.PartMeasures):
         return f"{len(self.faces)} faces, area {self.area:.6g}"
 
 
-class Cut(Result):
+class Cut(_Sequence, Result):
     """The parts of a mesh that was cut, the largest first; a sequence of `CutPart`.
 
     Attributes
@@ -492,18 +478,11 @@ class Cut(Result):
         dropped.
     """
 
+    _list = "parts"
+
     def __init__(self, parts: list, labels: np.ndarray) -> None:
         self.parts = [CutPart(part) for part in parts]
         self.labels = labels
-
-    def __len__(self) -> int:
-        return len(self.parts)
-
-    def __getitem__(self, number: int) -> CutPart:
-        return self.parts[number]
-
-    def __iter__(self) -> Iterator[CutPart]:
-        return iter(self.parts)
 
     def _line(self) -> str:
         return f"{len(self)} parts, areas {[float(f'{part.area:.4g}') for part in self.parts]}"
@@ -529,36 +508,37 @@ class Tip(_members.Tip):
         return f"{len(self.vertices)} vertices, apex {self.apex}, jump {self.jump:.4g}"
 
 
-class Tips(Result):
-    """The tips of a mesh, largest jump first; a sequence of `Tip`.
+class OpenArc(_members.OpenArc):
+    @property
+    def closed(self) -> bool:
+        """``line.closed``: the older name, until 2.0."""
+        return self.line.closed
 
-    Attributes
-    ----------
-    mesh : Mesh
+    @property
+    def points(self) -> np.ndarray:
+        """``line.points``: the older name, until 2.0."""
+        return self.line.points
+
+    def _line(self) -> str:
+        return f"length {self.length:.6g}, {len(self.line.points)} points"
+
+
+class Tips(_Sequence, _members.Tips):
+    __doc__ = f"""{_members.Tips.__doc__}mesh : Mesh
         The mesh that they are of.
-    tips : list of Tip
-    arcs : list of Contour
-        Parts of the contour that are no tip's, longest first.
     """
 
+    _list = "tips"
+    mesh: "Mesh"
+
     def __init__(self, mesh: "Mesh", found: dict) -> None:
+        super().__init__(found)
         self.mesh = mesh
-        self.tips = [Tip(tip) for tip in found["tips"]]
-        self.arcs = [Contour(arc["line"]) for arc in found["arcs"]]
-
-    def __len__(self) -> int:
-        return len(self.tips)
-
-    def __getitem__(self, number: int) -> Tip:
-        return self.tips[number]
-
-    def __iter__(self) -> Iterator[Tip]:
-        return iter(self.tips)
 
     @property
     def apexes(self) -> np.ndarray:
         """The apex of each tip, int64."""
-        return np.array([tip.apex for tip in self.tips], np.int64)
+        return np.array([tip.apex for tip in self], np.int64)
 
     def _line(self) -> str:
         return f"{len(self)} tips, apexes {self.apexes.tolist()}"
@@ -574,7 +554,7 @@ class Part(_members.Part):
         return f"{self.kind}, {len(self.vertices)} vertices, area {self.area:.4g}"
 
 
-class Parts(Result):
+class Parts(_Sequence, Result):
     """A mesh divided into tubes, plates and body, largest part first; a sequence of `Part`.
 
     Attributes
@@ -588,6 +568,8 @@ class Parts(Result):
         The thresholds that were used, in model units.
     """
 
+    _list = "parts"
+
     def __init__(
         self, mesh: "Mesh", girth: float, shape_diameter: float, labels: np.ndarray, parts: list
     ) -> None:
@@ -596,15 +578,6 @@ class Parts(Result):
         self.labels = labels
         self.girth = girth
         self.shape_diameter = shape_diameter
-
-    def __len__(self) -> int:
-        return len(self.parts)
-
-    def __getitem__(self, number: int) -> Part:
-        return self.parts[number]
-
-    def __iter__(self) -> Iterator[Part]:
-        return iter(self.parts)
 
     def _line(self) -> str:
         kinds = [part.kind for part in self.parts]
@@ -632,7 +605,7 @@ class Segment(_members.Segment):
         return f"{self.kind}, area {self.area:.4g}, tips {self.tips}"
 
 
-class Segments(Result):
+class Segments(_Sequence, Result):
     """A mesh divided at its necks, largest part first; a sequence of `Segment`.
 
     Attributes
@@ -650,6 +623,8 @@ class Segments(Result):
         ones.
     """
 
+    _list = "segments"
+
     def __init__(
         self,
         mesh: "Mesh",
@@ -665,15 +640,6 @@ class Segments(Result):
         self.girth = girth
         self.shape_diameter = shape_diameter
         self.crossing: list[int] = crossing
-
-    def __len__(self) -> int:
-        return len(self.segments)
-
-    def __getitem__(self, number: int) -> Segment:
-        return self.segments[number]
-
-    def __iter__(self) -> Iterator[Segment]:
-        return iter(self.segments)
 
     def _line(self) -> str:
         return f"{len(self)} segments: {', '.join(segment.kind for segment in self)}"

@@ -32,8 +32,8 @@ struct UnreachedRest {
 };
 
 /// The rest as the disk grows from `source`, the lowest vertex. `heights`: one finite value for
-/// each vertex of its component; of other components they are infinite. Of equal heights the vertex
-/// with the lower number counts as lower. O(n log n).
+/// each vertex of its component; of other components they are infinite. Where heights are equal,
+/// the vertex with the lower number counts as lower. O(n log n).
 UnreachedRest unreachedRest(const SurfaceMesh& mesh, std::span<const double> heights,
                             Vertex source);
 

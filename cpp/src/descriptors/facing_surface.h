@@ -28,8 +28,8 @@ class FacingSurface {
   TouchingBall atVertex(Vertex vertex) const;
 
   /// The smallest of the balls that touch within a face, among those smaller than `limit`; infinite
-  /// where there is none. Of each pair of faces the smallest ball is one; `counts(ball)`, where it
-  /// is given, says which of them are to count.
+  /// where there is none. The smallest ball of each pair of faces is one of them; `counts(ball)`,
+  /// where it is given, says which of them are to count.
   TouchingBall inFace(Face face, double limit,
                       const std::function<bool(const TouchingBall&)>& counts = {}) const;
 

@@ -31,8 +31,8 @@ struct Target {
   Vec3 normal;
 };
 
-/// The smallest ball at p that reaches a target; infinite where none does. Of a triangle, only
-/// balls that come from behind its normal count.
+/// The smallest ball at p that reaches a target; infinite where none does. Only balls that come
+/// from behind a triangle's normal count.
 TouchingBall ballAt(const Vec3& p, const Vec3& inward, const Target& target);
 
 /// A flat convex piece of the surface on which balls are to touch.

@@ -10,6 +10,26 @@ namespace girth::geodesic {
 
 namespace {
 
+/// Whether a window from `begin` to `end`, but for `except`, may have a straight line of this
+/// length to a point. Looks at roots alone, without square roots.
+bool hasNearRoot(const WindowList& list, std::uint32_t begin, std::uint32_t end,
+                 std::uint32_t except, Vec2 point, double length) {
+  constexpr double kSlack = 1 + 1e-12;
+  const WindowRun* run = list.newest;
+  while (run != nullptr && run->begin >= end) run = run->older;
+  for (; run != nullptr && run->begin + run->count > begin; run = run->older) {
+    const double* const fields = run->fields();
+    for (std::uint32_t i = std::max(begin, run->begin); i < end && i < run->begin + run->count;
+         ++i) {
+      const double* const at = fields + (i - run->begin);
+      const Vec2 way = point - Vec2{at[0], at[run->stride]};
+      const double most = length - at[2 * run->stride];
+      if (most >= 0 && dot(way, way) <= most * most * kSlack && i != except) return true;
+    }
+  }
+  return false;
+}
+
 /// Bounds as floats: never less, and never more.
 float roundedUp(double a) { return static_cast<float>(a * (1 + 1e-7)); }
 float roundedDown(double a) { return static_cast<float>(a * (1 - 1e-7)); }
@@ -310,17 +330,23 @@ CrossingResult Propagation::crossFace(Index halfedge) {
 void Propagation::reachByWindows(Index halfedge, std::uint32_t first,
                                  const CrossingResult& result) {
   const Crossing c = unfolding_->crossing(halfedge);
+  const std::uint32_t begin = first + result.apexBegin, end = first + result.apexEnd;
+  // A window that is nearer by rounding alone is no better arrival, but one that ties.
+  std::uint32_t best = end;
   if (result.apexWindow >= 0) {
     if (Arrival* arrival = reach(c.apexVertex(), result.distanceApex)) {
-      const Window w = window(halfedge, first + static_cast<std::uint32_t>(result.apexWindow));
+      best = first + static_cast<std::uint32_t>(result.apexWindow);
+      const Window w = window(halfedge, best);
       arrival->way = Arrival::Way::Window;
       arrival->bundle = {halfedge, w.root, w.sigma};
     }
   }
-  const bool isOne = result.apexEnd - result.apexBegin == 1;
-  if ((isOne && result.apexWindow >= 0) || !unfolding_->saddle(c.apexVertex())) return;
   const double longest = tied(distance_[c.apexVertex()]);
-  for (std::uint32_t i = first + result.apexBegin; i < first + result.apexEnd; ++i) {
+  if (std::isinf(longest)) return;
+  // Windows are in the processor's cache here, and the vertex need not be.
+  if (!hasNearRoot(lists_[halfedge], begin, end, best, c.apex(), longest)) return;
+  if (!unfolding_->saddle(c.apexVertex())) return;
+  for (std::uint32_t i = begin; i < end; ++i) {
     const Window w = window(halfedge, i);
     const double distance = w.distanceTo(c.apex());
     if (distance > longest || !w.covers(c.length(), c.apex())) continue;

@@ -67,8 +67,8 @@ struct WindowNumber {
   std::uint32_t number{0};
 };
 
-/// Where a bundle of straight paths comes from: a window without its bounds. What remains of a path
-/// when its windows are gone.
+/// Where a bundle of straight paths comes from: a window without its bounds. It is all that remains
+/// of a path when its windows are gone.
 struct Bundle {
   Index halfedge{kNoIndex};
   Vec2 root;  ///< in the frame of the halfedge

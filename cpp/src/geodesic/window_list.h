@@ -1,7 +1,8 @@
-// Where windows are kept. What comes to a halfedge at once is a run: its fields side by side, so
-// that several windows can be computed at once. Runs lie behind one another in blocks, in the order
-// of their coming; a block is used again when all its runs are done with. Since what comes together
-// is done with together, few blocks suffice for the front, and they stay in the cache.
+// Where windows are kept. Windows that come to a halfedge at once are a run: its fields side by
+// side, so that several windows can be computed at once. Runs lie behind one another in blocks, in
+// the order of their coming; a block is used again when all its runs are done with. Since what
+// comes together is done with together, few blocks suffice for the front, and they stay in the
+// cache.
 #pragma once
 
 #include <array>

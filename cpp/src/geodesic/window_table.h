@@ -1,6 +1,7 @@
 // Which windows each halfedge has, without keeping a list for each: lists are there for the
-// halfedges that windows have come to and the front has not passed. Of the others there is one
-// word. What is looked at again and again lies close together, and memory grows with the front.
+// halfedges that windows have come to and the front has not passed. Other halfedges have one word
+// each. Data that is looked at again and again lies close together, and memory grows with the
+// front.
 #pragma once
 
 #include <algorithm>

@@ -29,8 +29,8 @@ inline constexpr double kRoundedSingles = 6e-8;
 /// turns it, and vertices that go stay within twice that distance of the surface. Lengths of
 /// paths change by no more than about that distance. Faces that would become needles are left as
 /// they are. Components, genus and boundaries stay as they are, and so does a surface with
-/// coordinates beyond 1e60, or all below 1e-60. The same input always gives the same triangles.
-/// O(n) for the usual mesh, some 10 µs a vertex that goes.
+/// coordinates beyond 1e60, or all below 1e-60. Equal inputs always give equal triangles. O(n) for
+/// the usual mesh, some 10 µs a vertex that goes.
 ///
 /// Errors: CANCELLED.
 Result<LeanSurface> withoutFlatVertices(const SurfaceMesh& mesh, double rounding,

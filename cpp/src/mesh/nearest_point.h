@@ -79,8 +79,8 @@ class NearestSearch {
   };
 
   /// Calls `look(t)` for triangles in boxes that count. `urgency(node, box)` is asked about a box
-  /// when it is found, and again when its turn comes; infinite: it does not count. Of two boxes the
-  /// one with the smaller urgency comes first.
+  /// when it is found, and again when its turn comes; infinite: it does not count. The one of two
+  /// boxes with the smaller urgency comes first.
   template <class Urgency, class Look>
   void search(Urgency&& urgency, Look&& look) const {
     constexpr double never = std::numeric_limits<double>::infinity();

@@ -12,8 +12,8 @@ namespace girth {
 
 namespace {
 
-/// Shares of the way to the neighbours' mean, there and back. What is longer than some four edges
-/// is not shortened by the two together.
+/// Shares of the way to the neighbours' mean, there and back. The two together do not shorten a
+/// shape that is longer than some four edges.
 constexpr double kThere = 0.5, kBack = -0.53;
 
 /// The mean of a vertex's neighbours; on a boundary, of the two there.

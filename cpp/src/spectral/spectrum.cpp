@@ -29,8 +29,8 @@ struct Place {
   std::size_t component, pair;
 };
 
-/// The lowest pairs of all components together. Of each it asks first for as many as its share of
-/// the area lets expect (Weyl's law: value k is near 4π k / area), and for more where its last one
+/// The lowest pairs of all components together. It asks each first for as many as its share of the
+/// area lets expect (Weyl's law: value k is near 4π k / area), and for more where its last one
 /// comes before the last that is wanted.
 class Merging {
  public:

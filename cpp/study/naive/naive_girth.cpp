@@ -151,8 +151,8 @@ class NaiveGirth {
     windows_.push_back(w);
   }
 
-  /// Directions from which shortest paths arrive at a vertex. Of paths that tie but for rounding
-  /// none can be told to be the shortest.
+  /// Directions from which shortest paths arrive at a vertex. Paths that tie but for rounding have
+  /// no shortest one that can be told.
   struct Arrival {
     double least{0}, most{0};
   };

@@ -7,7 +7,7 @@
 
 namespace girth::test {
 
-/// A program that runs. What it prints goes to the files `stdout` and `stderr` of its folder.
+/// A program that runs. Its output goes to the files `stdout` and `stderr` of its folder.
 struct Process {
 #ifdef _WIN32
   void* handle;

@@ -33,8 +33,8 @@ ErrorCode refusal(const Shape& shape) {
   return closed.error().code;
 }
 
-/// Fails the test if a piece of work takes longer. Of the processor: what else the machine does has
-/// no part in it.
+/// Fails the test if a piece of work takes longer. The processor's time counts: what else the
+/// machine does has no part in it.
 template <class Work>
 void within(std::chrono::seconds limit, Work work) {
   const std::clock_t start = std::clock();

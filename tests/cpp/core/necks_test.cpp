@@ -44,7 +44,7 @@ void expectConsistent(const SurfaceMesh& mesh, const Necks& necks) {
   EXPECT_EQ(necks.unresolved, 0u);
   double shortest = kInfinity;
   for (const Neck& neck : necks.necks) shortest = std::min(shortest, neck.length);
-  EXPECT_DOUBLE_EQ(suggestedProminence(necks.necks), necks.necks.empty() ? 0 : shortest / 20);
+  EXPECT_DOUBLE_EQ(necks.suggestedProminence, necks.necks.empty() ? 0 : shortest / 20);
   GirthSolver solver(mesh);
   for (const Neck& neck : necks.necks) {
     ASSERT_GE(neck.points.size(), 4u);

@@ -20,7 +20,7 @@ struct RegularChecks {
 ///  - at some `enumerations` vertices, and wherever the two methods differ, no loop is shorter, and
 ///    a loop of this length exists, among all loops that `BruteForce` enumerates.
 /// Two methods may differ where enumeration says that a third path arrives at the midpoint within
-/// 1e-9 of the two: whether that is a loop is decided by rounding. Those are counted.
+/// 1e-9 of the two: whether that is a loop is decided by rounding. Such vertices are counted.
 RegularChecks expectExactOnRegularShape(std::uint64_t seed, Index enumerations);
 
 /// Fails the test unless what stands on the search for loops holds on the shape of this seed, at

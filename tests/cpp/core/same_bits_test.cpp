@@ -1,6 +1,6 @@
 // Digests of computed values, which are the same bits on every machine; stated as x86-64 with GCC
 // computes them.
-// Surfaces are made without the C library's functions. What is made of the spectrum is left out
+// Surfaces are made without the C library's functions. Results made of the spectrum are left out
 // (web/docs/decisions/exactness-to-the-bit.md).
 #include <gtest/gtest.h>
 

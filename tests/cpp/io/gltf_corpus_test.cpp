@@ -35,7 +35,7 @@ class GltfCorpus : public ::testing::Test {
   fs::path data_;
 };
 
-/// The files of glTF-Validator are named after the one fault that they have. Those whose fault
+/// The files of glTF-Validator are named after the one fault that they have. Files whose fault
 /// concerns geometry are refused for it; all others are models without faces that have an area.
 TEST_F(GltfCorpus, faultsOfTheValidatorsFiles) {
   const std::map<std::string, std::string> codes{

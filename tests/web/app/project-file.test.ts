@@ -4,10 +4,10 @@ import {
   type Project,
   type Results,
   readProject,
-  spectralIn,
   surfaceKey,
   writeProject,
 } from '../../../web/app/model/project-file.js';
+import { spectralIn } from '../../../web/app/state/address-state.js';
 import type { Field, Loop, MeshGeometry, RefinedGirth } from '../../../web/src/kernel/index.js';
 
 const geometry: MeshGeometry = {

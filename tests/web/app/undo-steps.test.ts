@@ -9,10 +9,10 @@ test('back and forth, and a new step forgets what was undone', () => {
   for (const state of ['a', 'b', 'b', 'c']) steps.take(state);
   expect(steps.undo()).toBe('b');
   expect(steps.undo()).toBe('a');
-  expect([steps.undo(), steps.canUndo, steps.canRedo]).toEqual([undefined, false, true]);
+  expect([steps.undo(), steps.before, steps.after]).toEqual([undefined, undefined, 'b']);
   expect(steps.redo()).toBe('b');
   steps.take('d');
-  expect([steps.redo(), steps.canRedo]).toEqual([undefined, false]);
+  expect([steps.redo(), steps.after, steps.before]).toEqual([undefined, undefined, 'b']);
   expect([steps.undo(), steps.undo(), steps.undo()]).toEqual(['b', 'a', undefined]);
 });
 
@@ -22,7 +22,11 @@ test('a state that is written otherwise once it is shown is no step', () => {
   expect(steps.undo()).toBe('a');
   steps.correct('a, written otherwise');
   steps.take('a, written otherwise');
-  expect([steps.canUndo, steps.redo(), steps.undo()]).toEqual([false, 'b', 'a, written otherwise']);
+  expect([steps.before, steps.redo(), steps.undo()]).toEqual([
+    undefined,
+    'b',
+    'a, written otherwise',
+  ]);
 });
 
 test('of very many steps the last ones are kept', () => {

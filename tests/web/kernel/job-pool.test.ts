@@ -183,8 +183,8 @@ describe('a pool', () => {
     const [a, b] = [source(2000), source(3000)];
     await job(pool, [a]);
     expect(workers).toHaveLength(2);
-    // As many workers as jobs: the one that was used least recently takes the surface. Of others it
-    // keeps as much as is light.
+    // As many workers as jobs: the one that was used least recently takes the surface. It keeps as much of others as is
+    // light.
     await job(pool, [b]);
     expect(workers).toHaveLength(2);
     expect(asked(workers[0]!)).not.toContain(`drop ${lights[0]!.number}`);

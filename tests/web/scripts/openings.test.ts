@@ -44,6 +44,17 @@ test('a docstring that opens so is found, and what it says of parameters and res
   expect(linesOf('a.py', text.join('\n'))).toEqual([2, 7, 12]);
 });
 
+test('a later sentence of a comment that opens so is found, within a line and where a line begins', () => {
+  const text = [
+    `// The area of a face.${' '}What is left is nothing.`,
+    '// The first is read.',
+    '// Those beside it are not.',
+    `const a = 1; // One of two.${' '}The same as b.`,
+    '// All of them, e.g. what is there, count.',
+  ];
+  expect(linesOf('a.ts', text.join('\n'))).toEqual([1, 3, 4]);
+});
+
 test('later lines of a comment, other words and code are left alone', () => {
   const text = [
     '// The area of a face, and of each',

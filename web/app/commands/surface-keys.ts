@@ -1,4 +1,4 @@
-// Keys of the surface that no control stands for. What they do is the element's: `press` is asked.
+// Keys of the surface that no control stands for. The element acts on them: `press` is asked.
 
 import type { GirthViewer } from '../../src/element/index.js';
 import type { Action } from './action.js';

@@ -1,4 +1,4 @@
-// Files of the page: fields, tips, limbs, parts, necks, handles, the bottleneck, pinned loops, the picture, and the whole project.
+// Files of the page: the model, fields, tips, limbs, parts, necks, handles, the bottleneck, pinned loops, the picture, and the whole project.
 
 import type { FieldFormat, FieldName, LoopFormat } from '../../src/kernel/index.js';
 import {
@@ -16,6 +16,7 @@ import { failureWords } from '../widgets/failure-words.js';
 import { FigureChoice } from './figure-choice.js';
 import type { LimbsPanel } from '../panels/limbs/limbs-panel.js';
 import type { NecksPanel } from '../panels/necks/necks-panel.js';
+import { modelFormats } from './model-files.js';
 import type { PagePlot } from './page-plot.js';
 import type { PartsPanel } from '../panels/parts/parts-panel.js';
 import type { PinnedList } from '../panels/loops/pinned-list.js';
@@ -113,6 +114,13 @@ export function offerExports(
   const fields = Object.entries(fieldFormats).map(([format, about]) =>
     entry(format, about, () => saveField(format as FieldFormat)),
   );
+  const models = Object.entries(modelFormats).map(([format, about]) =>
+    entry(format, about, () =>
+      save('', format, async () => [
+        { content: await viewer.exportModel(format as keyof typeof modelFormats) },
+      ]),
+    ),
+  );
   const loopLines = async (format: LoopFormat): Promise<Piece[]> => {
     const { pinned } = viewer;
     const files = await viewer.exportLoops(format);
@@ -207,6 +215,7 @@ export function offerExports(
     ),
   ];
   failure.before(
+    group('Model, as it is shown', 'export-model', ...models),
     group('Values at every vertex', 'export-field', field, ...fields),
     group('Tips', 'export-tips', ...tips),
     group('Limbs', 'export-limbs', ...limbs),
@@ -230,13 +239,13 @@ export function offerExports(
     const options = [...field.options].map(({ value }) => value);
     const wished = [before, shown, 'igf'].find((name) => name && options.includes(name));
     if (wished) choice.show(wished);
-    field.disabled = names.length === 0;
+    field.hidden = names.length === 0;
     for (const button of fields) button.disabled = names.length === 0;
     for (const button of [...tips, ...limbs, ...tubes]) button.disabled = !names.includes('igf');
     for (const name of Object.keys(measured)) {
       byId(`export-${name}`).hidden = !(name in necksPanel.listed);
     }
     for (const button of loops) button.disabled = viewer.pinned.length === 0;
-    for (const button of [...picture, ...whole]) button.disabled = !viewer.info;
+    for (const button of [...models, ...picture, ...whole]) button.disabled = !viewer.info;
   });
 }

@@ -3,6 +3,7 @@
 import { type GirthViewer, make } from '../../src/element/index.js';
 import type { PanelName } from '../state/address-state.js';
 import { slideLoop } from './meaning.js';
+import { byDevice } from '../widgets/device.js';
 
 /** A step: its words, and what it opens on the page. */
 interface Step {
@@ -28,13 +29,11 @@ const steps: readonly Step[] = [
     slides: true,
   },
   {
-    words:
-      'Point at the surface to see the loop of a place, and click to keep it. Kept loops have names and lengths, to be copied and exported.',
+    words: `${byDevice('Point at the surface to see the loop of a place, and click to keep it', 'Tap the surface to see the loop of a place, and tap again to keep it')}. Kept loops have names and lengths, to be copied and exported.`,
     panel: 'loops',
   },
   {
-    words:
-      'Now a model of your own: drop a file anywhere, or use Open. It stays on your machine. Help is behind the question mark.',
+    words: `Now a model of your own: ${byDevice('drop a file anywhere, or use Open', 'use Open')}. It stays on your device. Help is behind the question mark.`,
   },
 ];
 

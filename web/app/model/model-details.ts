@@ -3,8 +3,11 @@
 
 import type { MeshInfo, PrepareOptions } from '../../src/kernel/index.js';
 import { type GirthViewer, formatCount, make, sentence } from '../../src/element/index.js';
+import { modelFormats } from '../export/model-files.js';
+import { saveFile, stemOf } from '../export/save-file.js';
 import { byId } from '../widgets/dom.js';
 import { Draft } from '../widgets/draft.js';
+import { failureWords } from '../widgets/failure-words.js';
 import { modelFacts, plural, repairs, sizeWords } from './model-words.js';
 import { type ModelScale, SizeChoice } from './size-choice.js';
 import { plainNumber } from '../widgets/table-text.js';
@@ -79,6 +82,7 @@ export class ModelDetails {
       make('h2', { id: 'details-title' }, info.name),
       this.#facts(info),
       this.#choice.element,
+      ...this.#saving(info),
       this.#done,
       ...this.#models(info),
       ...this.#components(info, state),
@@ -114,6 +118,30 @@ export class ModelDetails {
         make('div', {}, make('dt', {}, term), make('dd', {}, ...words)),
       ),
     );
+  }
+
+  /** The model as a file: as it is shown now. */
+  #saving({ name }: MeshInfo): HTMLElement[] {
+    const said = make('p', { class: 'hint', role: 'status' });
+    const buttons = Object.entries(modelFormats).map(([format, about]) => {
+      const words = format.toUpperCase();
+      const button = make('button', { type: 'button', class: 'plain', title: about }, words);
+      button.addEventListener('click', () => {
+        this.#viewer.exportModel(format as keyof typeof modelFormats).then(
+          (content) => {
+            said.textContent = '';
+            saveFile(content, `${stemOf(name)}.${format}`);
+          },
+          (error: unknown) => (said.textContent = sentence(failureWords(error))),
+        );
+      });
+      return button;
+    });
+    return [
+      make('h3', {}, 'Save the model as it is shown'),
+      make('p', { class: 'buttons' }, ...buttons),
+      said,
+    ];
   }
 
   #whatWasDone(info: MeshInfo, { made }: ModelState): HTMLElement[] {

@@ -12,7 +12,6 @@ import {
   type LoopKind,
   type MeshGeometry,
   type RefinedGirth,
-  type SpectralOptions,
   type ZipFile,
   readZip,
   unitName,
@@ -58,14 +57,6 @@ export function surfaceKey({ positions, indices }: MeshGeometry): string {
     for (const word of words) hash = Math.imul(hash ^ word, 0x01000193) >>> 0;
   }
   return `${positions.length / 3} ${indices.length / 3} ${hash.toString(16)}`;
-}
-
-/** Which number of its signature a field was, as a state has it. */
-export function spectralIn(state: PageState, name: FieldName): SpectralOptions | undefined {
-  const { time, energy, component } = state;
-  if (name === 'hks') return time === undefined ? undefined : { time };
-  const number = name === 'wks' ? energy : name === 'sihks' ? component : undefined;
-  return number === undefined ? undefined : { component: number };
 }
 
 /** The bytes of a project. `geometry` is the surface that the results are of. */

@@ -3,9 +3,9 @@
 
 import { type FileWithPath, GirthError, type MeshSource, readZip } from '../../src/kernel/index.js';
 import { type GirthViewer, fieldNames } from '../../src/element/index.js';
-import type { PageState } from '../state/address-state.js';
+import { type PageState, spectralIn } from '../state/address-state.js';
 import type { ComputedFields } from './computed-fields.js';
-import { type SavedProject, readProject, spectralIn, writeProject } from './project-file.js';
+import { type SavedProject, readProject, writeProject } from './project-file.js';
 import type { Opened } from './session.js';
 
 /** A project of what is shown: its model's files and all fields and loops that are there. */

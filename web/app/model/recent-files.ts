@@ -1,5 +1,5 @@
 // Files of earlier visits with their pictures: in the menu beside 'Open', and at the foot of the page as long as nothing
-// was opened on this visit. What can be kept, and what not, is said in the menu.
+// was opened on this visit. The menu says which files can be kept, and which not.
 
 import type { FileWithPath } from '../../src/kernel/index.js';
 import { type GirthViewer, make } from '../../src/element/index.js';

@@ -22,7 +22,7 @@ export interface Opened {
   /** The wish that it is opened for (`Store.ask`). */
   wish?: number | undefined;
   /** Hands what was computed of it before to the surface that is shown, if it is that one; once. */
-  adopt?: ((viewer: GirthViewer) => Promise<void>) | undefined;
+  adopt?: ((viewer: GirthViewer) => Promise<void> | void) | undefined;
 }
 
 /** The steps and wishes after reading: none yet. */
@@ -51,13 +51,17 @@ export class Session {
   /** Files that were dropped or chosen on this visit, by the names that links have for them. */
   readonly #files = new Map<string, Opened>();
   readonly #viewer: GirthViewer;
+  /** Takes what is computed of the shown surface; see `takeResults`. */
+  readonly #takeResults: () => () => void;
   /** How many models were asked for. */
   #asked = 0;
   /** The number of the one that was opened last. */
   #latest = 0;
 
-  constructor(viewer: GirthViewer) {
+  /** `takeResults`: see there. */
+  constructor(viewer: GirthViewer, takeResults: () => () => void) {
     this.#viewer = viewer;
+    this.#takeResults = takeResults;
   }
 
   /** A number for a model that was asked for now, and whose files have to be found or looked into before it is opened. */
@@ -76,14 +80,18 @@ export class Session {
    */
   async open(wanted: Opened, asked = this.ask()): Promise<boolean> {
     this.#latest = asked;
-    this.#next = this.#reading = wanted;
     const { source, model, prepare } = wanted;
+    const { opened } = this;
+    const isSame = opened?.source === source && opened.model === model;
+    const adopt = wanted.adopt ?? (isSame ? this.#takeResults() : undefined);
+    const opening = { ...wanted, adopt };
+    this.#next = this.#reading = opening;
     const options = model === undefined ? { prepare } : { prepare, model };
     const isOpen = await this.#viewer.load(source, options).then(
       () => true,
       () => false,
     );
-    if (this.#reading === wanted) this.#reading = undefined;
+    if (this.#reading === opening) this.#reading = undefined;
     return isOpen;
   }
 

@@ -1,5 +1,5 @@
-// The unit of a file, the unit that lengths are shown in, and the size that the model is given. What the file
-// says and what is shown are two things.
+// The unit of a file, the unit that lengths are shown in, and the size that the model is given. The unit of the file
+// and the unit that is shown are two things.
 
 import { type GirthViewer, make } from '../../src/element/index.js';
 import { Draft } from '../widgets/draft.js';

@@ -50,7 +50,7 @@ export function without(state: PageState, keys: readonly Key[]): PageState {
   return rest;
 }
 
-/** A choice made by hand; undefined takes one back. The same state where nothing is another. */
+/** A choice made by hand; undefined takes one back. Without a difference it is the given state itself. */
 export function chosen(state: PageState, choice: PageState): PageState {
   const next: Record<string, unknown> = { ...state };
   let isAnother = false;

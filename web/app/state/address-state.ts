@@ -15,7 +15,13 @@ import {
   writeCamera,
   writePoint,
 } from '../../src/element/index.js';
-import type { PrepareOptions, SurfacePoint, TubeReference } from '../../src/kernel/index.js';
+import type {
+  FieldName,
+  PrepareOptions,
+  SpectralOptions,
+  SurfacePoint,
+  TubeReference,
+} from '../../src/kernel/index.js';
 
 export const panelNames = [
   'loops',
@@ -328,6 +334,14 @@ export function preparationOf({ closed, weld, components, scale }: PageState): P
     ...(components ? { components } : {}),
     ...(scale === undefined ? {} : { scale }),
   };
+}
+
+/** Which number of its signature a field was, as a state has it. */
+export function spectralIn(state: PageState, name: FieldName): SpectralOptions | undefined {
+  const { time, energy, component } = state;
+  if (name === 'hks') return time === undefined ? undefined : { time };
+  const number = name === 'wks' ? energy : name === 'sihks' ? component : undefined;
+  return number === undefined ? undefined : { component: number };
 }
 
 /** The part of a state that is about the model beside. */

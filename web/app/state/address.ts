@@ -2,6 +2,7 @@
 
 import { type PageState, readState, writeState } from './address-state.js';
 import type { Store } from './store.js';
+import { stepWords } from './step-words.js';
 import { UndoSteps } from './undo-steps.js';
 
 /** Milliseconds after a change until it is in the address: many changes come together. */
@@ -69,12 +70,18 @@ export class Address {
     return writeState(this.#events.written(this.#store.meant));
   }
 
-  get canUndo(): boolean {
-    return this.#steps.canUndo;
+  /** Words for the change that `undo` would make; undefined where there is nothing to undo. */
+  get undoWords(): string | undefined {
+    return this.#wordsOf(this.#steps.before);
   }
 
-  get canRedo(): boolean {
-    return this.#steps.canRedo;
+  /** Words for the change that `redo` would make; undefined where there is nothing to redo. */
+  get redoWords(): string | undefined {
+    return this.#wordsOf(this.#steps.after);
+  }
+
+  #wordsOf(step: string | undefined): string | undefined {
+    return step === undefined ? undefined : stepWords(this.#steps.present ?? '', step);
   }
 
   /** Shows what was shown before the last change of anything that the address holds: the camera, too. */

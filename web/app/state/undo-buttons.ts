@@ -4,8 +4,11 @@ import { announce } from '../widgets/announcer.js';
 import { byId } from '../widgets/dom.js';
 
 export interface UndoActions {
-  readonly canUndo: boolean;
-  readonly canRedo: boolean;
+  /** Words for the changes that both would make; undefined where there is none. */
+  readonly undoWords: string | undefined;
+  readonly redoWords: string | undefined;
+  /** Writes a change that was made just now. */
+  flush(): void;
   undo(): void;
   redo(): void;
 }
@@ -14,17 +17,23 @@ export interface UndoActions {
 export function offerUndo(actions: UndoActions): () => void {
   const [undo, redo] = [byId('undo'), byId('redo')];
   const run = (isRedo: boolean): void => {
-    if (!(isRedo ? actions.canRedo : actions.canUndo)) return;
+    actions.flush();
+    const words = isRedo ? actions.redoWords : actions.undoWords;
+    if (words === undefined) return;
     if (isRedo) actions.redo();
     else actions.undo();
-    announce(isRedo ? 'Redone.' : 'Undone.');
+    announce(`${isRedo ? 'Redone' : 'Undone'}${words && ': '}${words}.`, { isSeen: true });
   };
   undo.addEventListener('click', () => run(false));
   redo.addEventListener('click', () => run(true));
-  // A disabled button would lose the focus of whoever has just pressed it.
+  const show = (button: HTMLElement, name: string, words: string | undefined): void => {
+    // A disabled button would lose the focus of whoever has just pressed it.
+    button.setAttribute('aria-disabled', String(words === undefined));
+    button.title = words ? `${name}: ${words}` : name;
+  };
   const update = (): void => {
-    undo.setAttribute('aria-disabled', String(!actions.canUndo));
-    redo.setAttribute('aria-disabled', String(!actions.canRedo));
+    show(undo, 'Undo', actions.undoWords);
+    show(redo, 'Redo', actions.redoWords);
   };
   update();
   return update;

@@ -14,14 +14,19 @@ export class UndoSteps {
     this.#changed = changed;
   }
 
-  /** Whether there is a step to go back to. */
-  get canUndo(): boolean {
-    return this.#past.length > 0;
+  /** The state that is shown. */
+  get present(): string | undefined {
+    return this.#present;
   }
 
-  /** Whether there is a step that was undone. */
-  get canRedo(): boolean {
-    return this.#future.length > 0;
+  /** The state to go back to; undefined where there is none. */
+  get before(): string | undefined {
+    return this.#past.at(-1);
+  }
+
+  /** The state of a step that was undone; undefined where there is none. */
+  get after(): string | undefined {
+    return this.#future.at(-1);
   }
 
   /** Another state has come about: undone steps are forgotten. */

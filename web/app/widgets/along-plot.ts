@@ -5,6 +5,7 @@ import type { LoopKind } from '../../src/kernel/index.js';
 import { ProfilePlot } from '../../src/element/plots.js';
 import { axisNumber } from './axis-number.js';
 import { TableActions, type TableSource } from './table-actions.js';
+import { byDevice } from './device.js';
 
 /** The girth at one place of the way. */
 export interface AlongStation {
@@ -126,7 +127,10 @@ export class AlongPlot {
   #write(station: number | undefined): void {
     this.#words.textContent =
       station === undefined
-        ? 'Move along the plot to see the loop there; click to pin it.'
+        ? byDevice(
+            'Move along the plot to see the loop there; click to pin it.',
+            'Slide along the plot to see the loop there.',
+          )
         : this.#wordsOf(this.#along!.stations[station]!);
   }
 }

@@ -2,8 +2,8 @@
 //
 // One rule for every control of the page: what is being edited is never overwritten. A draft begins with the
 // first `input` event and ends when it is committed (`change`, Enter, a submit), reverted (Escape) or
-// discarded by the owner because it has lost its meaning, for example with another model. What the page
-// wants to show meanwhile waits and appears when the draft ends. No other file writes `control.value`.
+// discarded by the owner because it has lost its meaning, for example with another model. Texts that the page wants to
+// show meanwhile wait and appear when the draft ends. No other file writes `control.value`.
 
 /** Any input, slider or list. */
 export interface EditableControl extends EventTarget {

@@ -11,8 +11,8 @@
 // | `cancelLoad`         |          |          | empty ¹      |           | shown ¹      |
 //
 // ¹ The load before is ended: its promise rejects, and what it still brings is disposed of.
-// ² The model that was shown is dropped; a mesh that the next model was made of stays. That mesh can be shown
-//   again. Where a load brings what is shown already, nothing is dropped.
+// ² The model that was shown is dropped; a mesh that the next model was made of stays. Such a mesh can be shown again.
+// Where a load brings what is shown already, nothing is dropped.
 // ³ It is read, and shown if the element is attached by then; otherwise it fails.
 // ⁴ The host is given the reason.
 //

@@ -24,6 +24,7 @@ import type {
   Maximum,
   Mesh,
   MeshGeometry,
+  ModelFormat,
   NamedField,
   NeckOptions,
   Necks,
@@ -108,7 +109,7 @@ export abstract class MeshCalls extends ViewerShell {
 
   /**
    * The limbs that the tips end, and how thick they are all along; the girth is computed first unless it is
-   * there. Of several calls at a time, the first one has the progress and can stop it.
+   * there. The first of several calls at a time has the progress and can stop it.
    */
   limbs(options: WatchedOptions = {}): Promise<Limbs> {
     return this.#ask(({ model }) => model.limbs(options));
@@ -235,6 +236,11 @@ export abstract class MeshCalls extends ViewerShell {
       const { igf, sdf } = await model.girthAndDiameter();
       return mesh.segments(igf, sdf, { signal, ...options });
     });
+  }
+
+  /** The surface as a file's content, without values: see `Mesh.exportModel`. Lengths are in the element's unit. */
+  exportModel(format: ModelFormat): Promise<Uint8Array> {
+    return this.#ask(({ mesh, signal }) => mesh.exportModel(format, { signal, unit: this.unit }));
   }
 
   /** A field, or two in one, as a file's content; computed first unless it is there. */

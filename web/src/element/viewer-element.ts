@@ -39,7 +39,7 @@ import type { TipsChoice } from './surface/tips-on-surface.js';
  * `<girth-viewer src="model.glb"></girth-viewer>`
  *
  * Attributes, which `GirthViewerAttributes` describes; a value that is none of theirs counts as if the attribute were
- * not there, is a warning on the console and an `error` with the code INVALID_OPTION. What is in the slot `caption`
+ * not there, is a warning on the console and an `error` with the code INVALID_OPTION. The content of the slot `caption`
  * stands below the surface.
  *
  * An attribute is followed when it is set, and when a model comes. In between, hands and methods go on from there, and
@@ -404,8 +404,8 @@ export class GirthViewer extends MeshCalls {
 
   /**
    * A picture of one place as a PNG with a transparent background: the camera looks at it from where it
-   * is seen best, its loop is drawn if it is given, and the rest of the surface is faded. What is on the
-   * element stays as it is. Rejected with NO_WEBGL where there is no picture.
+   * is seen best, its loop is drawn if it is given, and the rest of the surface is faded. The element itself stays as
+   * it is. Rejected with NO_WEBGL where there is no picture.
    */
   async snapshotOf(picture: PlacePicture): Promise<Blob> {
     const core = await this.needed();

@@ -1,5 +1,5 @@
-// How a worker reads files in Node.js, at once. What only promises give is fetched by a thread of its own, for which
-// the worker waits.
+// How a worker reads files in Node.js, at once. A content that only promises give is fetched by a thread of its own,
+// for which the worker waits.
 
 import { readFileSync, realpathSync } from 'node:fs';
 import { dirname, sep } from 'node:path';

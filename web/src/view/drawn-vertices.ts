@@ -3,8 +3,8 @@
 import { BufferAttribute, DynamicDrawUsage } from 'three';
 
 /**
- * The vertices of a mesh as they are drawn: first each of them, then their copies at creases. What
- * `attribute` makes has an entry for all; write those of the mesh, then `upload`.
+ * The vertices of a mesh as they are drawn: first each of them, then their copies at creases. An array that `attribute`
+ * makes has an entry for all; write those of the mesh, then `upload`.
  */
 export class DrawnVertices {
   readonly #firstCopy: Int32Array;

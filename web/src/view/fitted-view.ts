@@ -1,9 +1,9 @@
 // The view from which a surface fills the picture: what is really seen of it, not the ball round it.
 //
 // A camera at distance D along the unit direction d from its target sees a point p within the half angle whose
-// tangent is h where |(p − target)·right| ≤ h (D − p·d). That is linear in D and in the target's place along
-// `right`, so the nearest such camera follows from the greatest values of ±p·right + h p·d, and likewise
-// upwards. Linear in the points.
+// tangent is h where |(p − target)·right| ≤ h (D − p·d). This condition is linear in D and in the target's place along
+// `right`, so the nearest such camera follows from the greatest values of ±p·right + h p·d, and likewise upwards.
+// Linear in the points.
 
 import { Vector3 } from 'three';
 import type { CameraView, Direction } from './camera-view.js';

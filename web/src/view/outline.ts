@@ -29,8 +29,8 @@ const piece = 2;
 const sharp = Math.cos((60 * Math.PI) / 180);
 
 /**
- * The outline. Of each edge whole pieces of 2 pixels are seen or not. Time: a look at each face, and a question what hides
- * it for each piece.
+ * The outline. Whole pieces of 2 pixels of each edge are seen or not. Time: a look at each face, and a question what
+ * hides it for each piece.
  */
 export function outlineOf(scene: OutlineScene): Outline {
   const { positions, indices, eye } = scene;

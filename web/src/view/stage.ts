@@ -1,7 +1,7 @@
 // The canvas and what is drawn on it: a surface, what lies on it, its shadow. The camera, the times of
 // drawing and the way between canvas and surface are files of their own; this one composes them.
 //
-// The canvas takes the pointer. What is drawn lies behind it, on a canvas that belongs to the page's pool of WebGL
+// The canvas takes the pointer. The picture lies behind it, on a canvas that belongs to the page's pool of WebGL
 // contexts; as long as another stage has that, a picture is on the canvas itself.
 //
 // Points that come in or go out are in the surface's own coordinates.
@@ -394,8 +394,8 @@ export class Stage implements Borrower {
   }
 
   /**
-   * A picture of a place of the surface, with `overlay` instead of what else is drawn on it. What is on
-   * the canvas stays. Size in pixels.
+   * A picture of a place of the surface, with `overlay` instead of what else is drawn on it. The canvas itself stays as
+   * it is. Size in pixels.
    */
   pictureOf(
     place: Place,

@@ -1,4 +1,4 @@
-// From where a surface can be looked at straight. What is behind the names is in `camera-view.ts`.
+// From where a surface can be looked at straight. The views behind the names are in `camera-view.ts`.
 
 /** Straight from the front, from the right and from above. */
 export const straightNames = ['front', 'side', 'top'] as const;

@@ -407,7 +407,7 @@ export class Surface {
 
   /**
    * True where the surface hides a point from the eye, where that is cut away, and as long as it is not known; points on
-   * the surface's near side are not hidden. What is in front of the point by less than `slack` does not count.
+   * the surface's near side are not hidden. Faces in front of the point by less than `slack` do not count.
    */
   hides(point: Vector3, eye: Vector3, slack = 0.01 * this.bounds.radius): boolean {
     if (!this.#hierarchy || this.section?.cuts(point)) return true;

@@ -1,9 +1,9 @@
 // Which way is up in a file: by the convention of its format, otherwise by a guess from the shape.
 //
 // The guess weighs the y and the z axis. A body stands where it is tall, where its middle is high and where its
-// feet span much of its plan; each counts from 0 to 1, and z must have more than y. Of 76 animals and people
-// of the TOSCA models, whose z axis points up in all poses, 64 are guessed right. A rod that lies askew to all
-// three axes, such as a figure on tiptoe, stands on its end.
+// feet span much of its plan; each counts from 0 to 1, and z must have more than y. It guesses right for 64 of 76
+// animals and people of the TOSCA models, whose z axis points up in all poses. A rod that lies askew to all three axes,
+// such as a figure on tiptoe, stands on its end.
 
 /** The directions that can be chosen, the usual ones first. */
 export const upNames = ['y', 'z', '-y', '-z', 'x', '-x'] as const;

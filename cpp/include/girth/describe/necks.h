@@ -19,7 +19,9 @@ constexpr auto describe(Members<Neck>) {
 
 /// The members of all necks.
 constexpr auto describe(Members<Necks>) {
-  return described<Necks>(member("unresolved", &Necks::unresolved), member("necks", &Necks::necks));
+  return described<Necks>(member("unresolved", &Necks::unresolved),
+                          member("suggestedProminence", &Necks::suggestedProminence),
+                          member("necks", &Necks::necks));
 }
 
 }  // namespace girth

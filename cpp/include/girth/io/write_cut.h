@@ -39,8 +39,8 @@ GIRTH_EXPORT std::string cutObj(const LoadedMesh& loaded, const CutModel& model)
 GIRTH_EXPORT Result<std::string> partFile(const LoadedMesh& loaded, const CutModel& model,
                                           std::size_t part, Format format);
 
-/// One JSON object: `file`, `unit` and `parts`. Of a part: its measures
-/// (PartMeasures), and the numbers of its `faces` and `vertices`.
+/// One JSON object: `file`, `unit` and `parts`. Each part has its measures (PartMeasures), and the
+/// numbers of its `faces` and `vertices`.
 GIRTH_EXPORT std::string cutJson(const LoadedMesh& loaded, const CutModel& model,
                                  std::string_view file);
 

@@ -40,8 +40,8 @@ struct Vocabulary {
 
 /// Chooses words among `features` (feature i: features[i · dimensions + d]), each counted by its
 /// weight: k-means++ (Arthur and Vassilvitskii 2007), then Lloyd's rounds. Features that are not
-/// finite do not count. Fewer distinct features than words: as many words as there are. The same
-/// words for any number of threads. O(rounds · n · words · dimensions).
+/// finite do not count. Fewer distinct features than words: as many words as there are. Any number
+/// of threads gives the same words. O(rounds · n · words · dimensions).
 ///
 /// Errors: INVALID_OPTION (no words, no dimensions, sizes that do not fit, no feature left),
 /// CANCELLED.

@@ -72,9 +72,9 @@ struct NamedSurface {
 };
 
 /// Computes the exact girth of the model, and of a dozen changes of it, and compares the
-/// distributions. `poses`: the same thing in other poses. Time: that of as many girth fields. The
-/// same bits for any number of threads. Errors: those of remesh for the even mesh;
-/// INVALID_OPTION (stretch, noise, persistence); CANCELLED.
+/// distributions. `poses`: the same thing in other poses. Time: that of as many girth fields. Any
+/// number of threads gives the same bits. Errors: those of remesh for the even mesh; INVALID_OPTION
+/// (stretch, noise, persistence); CANCELLED.
 GIRTH_EXPORT Result<std::vector<RobustnessRow>> robustnessStudy(
     const SurfaceMesh& model, std::span<const NamedSurface> poses,
     const RobustnessOptions& options = {}, const ExecutionContext& context = {});

@@ -30,8 +30,8 @@ GIRTH_EXPORT Result<SurfaceMesh> remeshedUnevenly(const SurfaceMesh& mesh, Index
 inline constexpr double kMostNoise = 4;
 
 /// Every vertex moved in a random direction, by a random distance of up to `amount` times the mean
-/// edge length. The same `seed` always gives the same surface. Faces may come to intersect. O(n).
-/// Errors: INVALID_OPTION (amount: 0 to kMostNoise); DEGENERATE_FACE where a face loses its area.
+/// edge length. Equal seeds always give equal surfaces. Faces may come to intersect. O(n). Errors:
+/// INVALID_OPTION (amount: 0 to kMostNoise); DEGENERATE_FACE where a face loses its area.
 GIRTH_EXPORT Result<SurfaceMesh> withNoise(const SurfaceMesh& mesh, double amount,
                                            std::uint64_t seed);
 
@@ -69,14 +69,14 @@ GIRTH_EXPORT Result<SurfaceMesh> withHumps(const SurfaceMesh& mesh, const HumpOp
 /// do not exist or have a vertex in common; NON_MANIFOLD_EDGE where an edge joins them already.
 GIRTH_EXPORT Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Face face1, Face face2);
 
-/// Several of them, one after the other; faces are numbered as in the surface without bridges. Of
-/// none: the surface itself.
+/// Several of them, one after the other; faces are numbered as in the surface without bridges.
+/// Without bridges: the surface itself.
 GIRTH_EXPORT Result<SurfaceMesh> withBridges(const SurfaceMesh& mesh,
                                              std::vector<std::pair<Face, Face>> pairs);
 
 /// Up to `count` pairs of faces that face each other across a gap and are far apart along the
-/// surface: where parts grow together in a poor scan. Those first whose way along the surface is
-/// longest against the gap (at least twice as long); ends of different pairs are not near each
+/// surface: where parts grow together in a poor scan. Pairs come first whose way along the surface
+/// is longest against the gap (at least twice as long); ends of different pairs are not near each
 /// other. Looks at 300 places spread evenly. Errors: CANCELLED.
 GIRTH_EXPORT Result<std::vector<std::pair<Face, Face>>> facingPlaces(
     const SurfaceMesh& mesh, std::size_t count, const ExecutionContext& context = {});

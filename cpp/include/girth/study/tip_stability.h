@@ -48,8 +48,8 @@ struct TipTrialOptions {
 /// Finds the tips of changed copies of a surface: first with each triangle cut into four, then with
 /// noise. The paper (section 6.2) warns that small changes may move the contour much; this reports
 /// which tips are reliable. `tips`: those of the surface. Time: that of the girth of one surface
-/// with four times the faces and of as many others as there are amounts of noise. The same bits for
-/// any number of threads. Errors: INVALID_OPTION (withNoise, checkPersistence); CANCELLED.
+/// with four times the faces and of as many others as there are amounts of noise. Any number of
+/// threads gives the same bits. Errors: INVALID_OPTION (withNoise, checkPersistence); CANCELLED.
 GIRTH_EXPORT Result<std::vector<TipTrial>> tipTrials(const SurfaceMesh& mesh,
                                                      std::span<const Tip> tips,
                                                      const TipTrialOptions& options = {},

@@ -35,8 +35,8 @@ class JsonPlace {
 /// The largest number of an element of a list.
 constexpr std::uint64_t kMostReference = std::numeric_limits<std::int32_t>::max();
 
-/// The members of one object. Of all faults the first is kept in `fault`, which everyone who reads
-/// a document shares; after one, values are of no use, but still safe.
+/// The members of one object. The first fault is kept in `fault`, which everyone who reads a
+/// document shares; after one, values are of no use, but still safe.
 class JsonFields {
  public:
   /// All three must outlive the object. A value that is no object is a fault, and has no members.

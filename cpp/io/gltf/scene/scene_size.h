@@ -18,8 +18,8 @@ struct SceneSize {
 };
 
 /// The size of the part of the scene that lies below these nodes, and of one placement of each mesh
-/// that it places. What the document gets wrong counts as nothing: whoever reads it reports it.
-/// O(nodes + primitives), however often nodes are shared.
+/// that it places. Faults of the document count as nothing: whoever reads it reports it. O(nodes +
+/// primitives), however often nodes are shared.
 struct SceneSizes {
   SceneSize placed;
   SceneSize once;

@@ -14,8 +14,8 @@
 
 namespace girth::io {
 
-/// Reads accessors of any component type, normalised or not, sparse or not. What has no bytes
-/// behind it is zero, as glTF prescribes.
+/// Reads accessors of any component type, normalised or not, sparse or not. Elements without bytes
+/// behind them are zero, as glTF prescribes.
 class GltfAccessors {
  public:
   /// All must outlive the object.

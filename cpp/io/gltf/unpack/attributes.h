@@ -38,8 +38,8 @@ struct GltfAttributes {
 bool isKeptAttribute(std::string_view name);
 
 /// Reads the attributes of a scene. COLOR_0 is multiplied by the base colour of the material, and
-/// white where there is neither; the others have no value where a primitive does not have them. Of
-/// `_NAME`s the first 16 in their alphabet are read. Values are read once, however often a mesh is
+/// white where there is neither; the others have no value where a primitive does not have them. The
+/// first 16 `_NAME`s in their alphabet are read. Values are read once, however often a mesh is
 /// placed, and taken from the budget; the corners' numbers stay in proportion to the bytes that it
 /// was made for. An attribute that does not fit or cannot be read is left out, with a note.
 GltfAttributes attributesOf(const GltfDocument& document, PointNumbers& points,

@@ -12,8 +12,8 @@
 
 namespace girth::io {
 
-/// Unpacks packed.count elements of packed.byteStride bytes. What the stream is too short for is
-/// refused before any memory is asked for, and the budget pays for the rest. `place` is the
+/// Unpacks packed.count elements of packed.byteStride bytes. A count that the stream is too short
+/// for is refused before any memory is asked for, and the budget pays for the rest. `place` is the
 /// extension's JSON pointer. Errors: MALFORMED_FILE, LIMIT_EXCEEDED; UNSUPPORTED_FEATURE in
 /// WebAssembly, where the page unpacks before the reader sees a file.
 Result<std::vector<std::byte>> unpackMeshopt(const GltfMeshopt& packed,

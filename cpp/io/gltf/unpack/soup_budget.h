@@ -10,8 +10,8 @@ namespace girth::io {
 /// bits, that of WebAssembly, fewer have room.
 constexpr std::uint64_t kMostPlacedTriangles = sizeof(void*) == 4 ? 3'000'000 : 10'000'000;
 
-/// Counts down vertices and triangles. What is stored once stays in proportion to the file; what is
-/// placed again, in proportion to the triangles that the scene says it has.
+/// Counts down vertices and triangles. A mesh that is stored once stays in proportion to the file;
+/// what is placed again, in proportion to the triangles that the scene says it has.
 class SoupBudget {
  public:
   /// Makes room for what so many bytes may describe.

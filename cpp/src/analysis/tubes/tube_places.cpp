@@ -217,7 +217,7 @@ class PlaceSearch {
 };
 
 /// Leaves out what lies between two places of the other kind: a sound part between two narrowings
-/// is no widening. Of a narrowing and a widening that overlap, the one nearer to the median goes.
+/// is no widening. Where a narrowing and a widening overlap, the one nearer to the median goes.
 void dropBetween(std::vector<TubePlace>& places, double median) {
   const auto deviation = [&](const TubePlace& place) {
     return std::fabs(std::log(place.equivalentDiameter / median));

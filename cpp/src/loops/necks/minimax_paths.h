@@ -29,8 +29,8 @@ class MinimaxPaths {
 
   /// Begins anew from some nodes, at the height `level`. O(nodes).
   void start(std::span<const Index> starts, double level);
-  /// The minimax path to a node for which `isEnd` is true; nodes beyond it are no ends. The same
-  /// ends in every call after a start. O(k log k) for k nodes settled by this call.
+  /// The minimax path to a node for which `isEnd` is true; nodes beyond it are no ends. All calls
+  /// after a start must have the same ends. O(k log k) for k nodes settled by this call.
   Path to(const std::vector<bool>& isEnd);
   /// The edge from a to b has been replaced by edges of a new node, the last of the graph.
   /// O(k log k) for k nodes whose place in the order may change.

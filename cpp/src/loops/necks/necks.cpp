@@ -194,6 +194,14 @@ std::optional<Error> findProminences(const SurfaceMesh& mesh, std::span<const do
   return std::nullopt;
 }
 
+/// A twentieth of the narrowest neck's length; 0 without necks.
+double prominenceOfClearOnes(std::span<const Neck> necks) {
+  constexpr double kShare = 0.05;
+  const auto narrowest = std::min_element(
+      necks.begin(), necks.end(), [](const Neck& a, const Neck& b) { return a.length < b.length; });
+  return narrowest == necks.end() ? 0 : kShare * narrowest->length;
+}
+
 }  // namespace
 
 Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const double> girth,
@@ -219,6 +227,7 @@ Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const double> girth,
           findProminences(mesh, girth, unfolding, partOf(context, kLoopShare, 1), found.necks)) {
     return *error;
   }
+  found.suggestedProminence = prominenceOfClearOnes(found.necks);
   std::erase_if(found.necks,
                 [&](const Neck& neck) { return neck.prominence < options.minProminence; });
   std::stable_sort(found.necks.begin(), found.necks.end(),
@@ -234,11 +243,6 @@ Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const double> girth,
   return found;
 }
 
-double suggestedProminence(std::span<const Neck> necks) {
-  constexpr double kShare = 0.05;
-  const auto narrowest = std::min_element(
-      necks.begin(), necks.end(), [](const Neck& a, const Neck& b) { return a.length < b.length; });
-  return narrowest == necks.end() ? 0 : kShare * narrowest->length;
-}
+double suggestedProminence(std::span<const Neck> necks) { return prominenceOfClearOnes(necks); }
 
 }  // namespace girth

@@ -11,8 +11,8 @@
 
 namespace girth::remeshing {
 
-/// An oriented manifold with boundary, halfedges numbered as in SurfaceMesh. What is removed leaves
-/// its number unused. No operation changes the topology of the surface.
+/// An oriented manifold with boundary, halfedges numbered as in SurfaceMesh. A removed element
+/// leaves its number unused. No operation changes the topology of the surface.
 class ChangingMesh {
  public:
   explicit ChangingMesh(const SurfaceMesh& mesh);

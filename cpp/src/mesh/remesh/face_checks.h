@@ -21,7 +21,7 @@ bool keepsFacing(const ChangingMesh& mesh, Index vertex, const Vec3& place, Inde
 bool flipsSmoothly(const ChangingMesh& mesh, Index h, double cosine);
 
 /// Flips edges where that makes the smallest of six angles larger, and faces as before within
-/// `cosine`. What is left undone when it is stopped does no harm.
+/// `cosine`. Flips that are left undone when it is stopped do no harm.
 void widenAngles(ChangingMesh& mesh, double cosine, CancellationPoll& poll);
 
 }  // namespace girth::remeshing

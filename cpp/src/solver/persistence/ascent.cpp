@@ -308,8 +308,8 @@ double Ascent::fromReached(Vec3 point) const {
   return std::sqrt(nearest);
 }
 
-/// Whether nothing within high − low of a point of a halfedge has been reached up to `low`. What is
-/// so near is so near in space, too, and hangs together across edges that are.
+/// Whether nothing within high − low of a point of a halfedge has been reached up to `low`. Points
+/// so near are so near in space, too, and hang together across edges that are.
 bool Ascent::isFarFromAll(Index halfedge, Vec3 point) {
   if (reached_.size() > kMostReached) return false;
   // The point that was found last is the nearest, as a rule.

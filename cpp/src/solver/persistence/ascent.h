@@ -19,10 +19,10 @@ class Ascent {
 
   /// Whether a way is found from a saddle at the distance `low` on one side of its loop, along
   /// which every point is farther, and which leads to a boundary curve or to a point farther than
-  /// `high`. What is farther is known from the frontier, once it has passed `high`, and before from
-  /// the distance in space, and where nothing around has been reached. The frontier has passed
-  /// `low`. False: none was found, though there may be one. Distances are in the unit of the
-  /// unfolding. Time: at most a quarter of a million paths are looked at.
+  /// `high`. The frontier tells which points are farther, once it has passed `high`; before, the
+  /// distance in space tells it, and an area around in which nothing has been reached. The frontier
+  /// has passed `low`. False: none was found, though there may be one. Distances are in the unit of
+  /// the unfolding. Time: at most a quarter of a million paths are looked at.
   bool leads(const SaddleSide& side, double low, double high);
 
   /// Whether the walk sees all of the superlevel set on one side of a saddle and no point of it is

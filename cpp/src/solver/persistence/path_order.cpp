@@ -127,8 +127,8 @@ PathOrder::Rest PathOrder::back(Rest rest, BentPath& backwards) const {
     if (bends(rest.vertex)) backwards.push_back({rest.vertex, turn(rest.vertex, rest.direction)});
     return wayTo(rest.vertex, backwards);
   }
-  // Where the way back meets vertices, either side of them may be the right one; the root shows. Of
-  // the choices up to a dead end the last one is changed first.
+  // Where the way back meets vertices, either side of them may be the right one; the root shows. At
+  // a dead end the last choice is changed first.
   constexpr int kMostTrials = 1024;
   const std::size_t known = backwards.size();
   Choices choices;

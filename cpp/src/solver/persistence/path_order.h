@@ -3,7 +3,7 @@
 // Shortest paths from one point do not cross. So they have a cyclic order: that of their directions
 // at p; where they leave p along one way and part at a vertex, that of their directions there. It
 // is the order in which one meets their ends on the way round the part of the surface in which
-// shortest paths go on, an open disk. What loops cut apart follows from this order alone
+// shortest paths go on, an open disk. This order alone says which parts loops cut off
 // (saddle_tree.h).
 #pragma once
 

@@ -7,7 +7,7 @@
 // between two ends of saddles is one side of one piece; and just to the left of one half of a
 // saddle's loop lies the same piece as just to the right of the other half. So the order in which
 // the halves leave p decides which pieces there are, which two meet at each saddle, and to which
-// one a maximum belongs. What is left is the elder rule.
+// one a maximum belongs. The rest is the elder rule.
 #pragma once
 
 #include <span>

@@ -444,7 +444,7 @@ class Refinement {
     std::vector<Index> refuted;  // it and others, where it does not
   };
 
-  /// Whether the loops of some bases stand. Those that do not are forgotten, together with those
+  /// Whether the loops of some bases stand. Loops that fail are forgotten, together with those
   /// around that they refute, and there the longer loops beside them spread; what is as short
   /// beside them is doubted.
   void settleByAsking(const std::vector<Index>& bases, VerificationQueue& queue) {

@@ -196,8 +196,8 @@ class Search {
     if (atCentre + radius <= worthwhile()) return;
     const double slack = kTie * best_.distance;
     const double margin = radius * (1 + 1e-6) + slack;
-    // The distance changes by no more than the way walked. That from one root is convex: where its
-    // window covers the whole cell, it is nowhere farther than from the farthest corner.
+    // The distance changes by no more than the way walked. The distance from one root is convex:
+    // where its window covers the whole cell, it is nowhere farther than from the farthest corner.
     Cell cell{atCentre + radius, face_, corners, {}, {}, Bound::Radius};
     if (nearest != nullptr && std::all_of(corners.begin(), corners.end(), [&](Vec2 corner) {
           return nearest->meetsDisk(corner, slack);

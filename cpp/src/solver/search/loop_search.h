@@ -3,7 +3,7 @@
 //
 // Read literally, Lemmas 4.1 and 4.2 go wrong at one vertex in ten: the windows they pair may have
 // been dropped just past the midpoint q, and windows that survive may form a straight line whose
-// halves are not shortest. What is done instead, and why no loop is lost:
+// halves are not shortest. The search used instead, and why no loop is lost:
 // - Let q be the point of the true loop farthest from p, f a face that contains q, and the segment
 //   through q the part of the loop inside f. Both halves are shortest paths, so where each enters f
 //   it is the one shortest path, and its window exists and enters f before the frontier reaches q.

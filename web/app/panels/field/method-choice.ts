@@ -1,4 +1,4 @@
-// How the girth is computed. Of large models the page has that of few triangles first; the rest is there on demand.
+// How the girth is computed. Large models begin with that of few triangles; the rest is there on demand.
 
 import type { Field, GirthAudit, MeshInfo, RefinedGirth } from '../../../src/kernel/index.js';
 import {

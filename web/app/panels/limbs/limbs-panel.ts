@@ -15,6 +15,7 @@ import { stemOf } from '../../export/save-file.js';
 import { TableActions } from '../../widgets/table-actions.js';
 import { type Table, columnOf } from '../../widgets/table-text.js';
 import { term } from '../../help/term.js';
+import { byDevice } from '../../widgets/device.js';
 
 /** The words that follow 'Limb 3 ends ...'. */
 const endWords: Record<LimbEnd, string> = {
@@ -100,7 +101,7 @@ export class LimbsPanel {
         term('tip', 'tip'),
         ': a finger, an arm, a leg. Move along a plot to slide its ',
         term('loop', 'loop'),
-        '; click to pin it. Solid: the least girth there, dashed: the median.',
+        `${byDevice('; click to pin it', '')}. Solid: the least girth there, dashed: the median.`,
       ),
       this.#search.element,
       this.#table,

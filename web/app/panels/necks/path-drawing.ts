@@ -3,6 +3,7 @@
 import { type GirthViewer, make, mostPathPoints } from '../../../src/element/index.js';
 import type { SurfacePoint } from '../../../src/kernel/index.js';
 import { SurfaceHint } from '../../widgets/surface-hint.js';
+import { byDevice } from '../../widgets/device.js';
 
 export interface DrawingEvents {
   /** The path has other points now; `polyline` is about how it runs. */
@@ -162,9 +163,12 @@ export class PathDrawing {
     const count = this.#points.length;
     this.#hint.show(
       count === 0
-        ? 'Click points of the path, or drag over the surface'
+        ? byDevice(
+            'Click points of the path, or drag over the surface',
+            'Tap points of the path, or draw it',
+          )
         : count === 1
-          ? 'One point: click the next, or drag'
+          ? byDevice('One point: click the next, or drag', 'One point: tap the next, or draw')
           : `${count} points; Escape ends it`,
     );
     this.#undo.hidden = count === 0;

@@ -19,6 +19,7 @@ import { PlaceList } from '../../widgets/place-list.js';
 import { stemOf } from '../../export/save-file.js';
 import { SurfaceHint } from '../../widgets/surface-hint.js';
 import { type Table, columnOf } from '../../widgets/table-text.js';
+import { byDevice } from '../../widgets/device.js';
 
 type Question = 'bottleneck' | 'profile';
 type Answer = { bottleneck: Bottleneck } | { profile: Profile };
@@ -305,7 +306,10 @@ export class TwoPoints {
     const points: SurfacePoint[] = [];
     try {
       this.#search.say(
-        'Click or tap the surface, or move the probe with Shift and arrows, then Enter. Escape ends it.',
+        byDevice(
+          'Click the surface, or move the probe with Shift and arrows, then Enter. Escape ends it.',
+          'Tap the surface twice.',
+        ),
       );
       while (points.length < 2) {
         this.#hint.show(`Choose the ${points.length === 0 ? 'first' : 'second'} point`);
@@ -344,7 +348,10 @@ export class TwoPoints {
     this.#points = [];
     this.#show();
     this.#search.say(
-      'Click or tap points of the path, or drag over the surface; outside it a drag turns. Delete removes the last point, Escape ends the path.',
+      byDevice(
+        'Click points of the path, or drag over the surface; outside it a drag turns. Delete removes the last point, Escape ends the path.',
+        'Tap points of the path, or draw it with a finger; beside the surface a finger turns it.',
+      ),
     );
     void this.#drawing.start();
     this.#showButtons();

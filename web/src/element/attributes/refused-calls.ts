@@ -10,14 +10,8 @@ type Known = (typeof known)[number] | typeof Symbol.dispose;
 /** Calls that are no operations of the module for analysis. */
 const others = [
   ...(['field', 'loop', 'barcode', 'barcodes', 'heatMaxima'] as const),
-  ...([
-    'write',
-    'exportField',
-    'exportFields',
-    'exportLoops',
-    'exportProfile',
-    'exportCut',
-  ] as const),
+  ...(['write', 'exportModel', 'exportField', 'exportFields', 'exportLoops'] as const),
+  ...(['exportProfile', 'exportCut'] as const),
   ...(['exportTips', 'exportLimbs', 'exportParts', 'exportSegments', 'exportWeakPlaces'] as const),
 ] satisfies (keyof Mesh)[];
 

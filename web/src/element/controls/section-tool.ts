@@ -1,6 +1,6 @@
 // A plane that cuts the surface: what the attribute asks for, and its menu on the bar. It is fetched when it is first
-// needed. What it shares with the element is handed to it: a part that imported the element's modules would split them into
-// many small files for every page.
+// needed. The element hands it what they share: a part that imported the element's modules would split them into many
+// small files for every page.
 
 import type { Stage, Surface } from '../../view/index.js';
 import { sectionAcross } from '../../view/section-plane.js';

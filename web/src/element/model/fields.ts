@@ -68,6 +68,9 @@ const combiningKit = { failure, summaryOf, isFieldName, combinedUnit };
 /** Whether a field depends on how long saddles must last. */
 const concernsSaddles = (name: FieldName): boolean => persistentFields.includes(name);
 
+/** Whether two lengths are the same but for rounding, as those of a surface in another size are. */
+const isAlike = (one: number, other: number): boolean => Math.abs(one - other) <= 1e-9 * other;
+
 export class Fields {
   readonly #states = new Map<FieldName, FieldState>();
   readonly #given = new Map<string, GivenField>();
@@ -306,7 +309,7 @@ export class Fields {
       ({ field, spectral }) =>
         field.name === name &&
         (name !== 'igf' || methodOf(field) === this.method) &&
-        (field.persistence ?? 0) === (concernsSaddles(name) ? persistence : 0) &&
+        isAlike(field.persistence ?? 0, concernsSaddles(name) ? persistence : 0) &&
         JSON.stringify(spectral) === wish,
     );
     if (adopted) return adopted.field;

@@ -31,8 +31,8 @@ function distance(one: Box, other: Box): number {
 }
 
 /**
- * The top left corners of labels, placed one after the other on a canvas of that size. What `taken`
- * touches is avoided as far as there is room; the labels are added to it.
+ * The top left corners of labels, placed one after the other on a canvas of that size. Places that `taken` touches are
+ * avoided as far as there is room; the labels are added to it.
  */
 export function placeLabels(
   labels: readonly Label[],

@@ -23,8 +23,10 @@ import { isMotionReduced } from './surroundings.js';
 const clickSlack = 5;
 /** Milliseconds between the two clicks or taps of a pair; a single click counts once they are over. */
 const pairTime = 280;
-/** A second tap within this many CSS pixels of the first one means the first one's loop. */
+/** A second tap within this many CSS pixels of the first one pins a loop. */
 const fingerWidth = 24;
+/** A second tap within this many CSS pixels of the first one means the first one's place. */
+const fingerSlack = 8;
 /** So many points of a loop show where it is on the canvas. */
 const outlinePoints = 24;
 /** CSS pixels of a cell of the grid in which tags look for room. */
@@ -533,9 +535,12 @@ export class LoopsOnSurface {
     // The loop that is seen is pinned, even if the surface has just moved a little further.
     else if (!isTouch) this.#pinSoon(this.#hovered ?? point);
     // A finger cannot hover: its first tap shows the loop, a later tap near by pins it.
-    else if (this.#hover && this.#isNear(point, this.#hover.loop.base)) {
-      this.#pinSoon(this.#hover.loop.base);
-    } else this.#hoverOn(point);
+    else {
+      const seen = this.#hover?.loop.base;
+      const pixels = seen === undefined ? Infinity : this.#pixelsBetween(point, seen);
+      if (pixels >= fingerWidth) this.#hoverOn(point);
+      else this.#pinSoon(pixels < fingerSlack ? seen! : point);
+    }
   }
 
   /** Whether a click follows another one at the same place at once. */
@@ -563,9 +568,9 @@ export class LoopsOnSurface {
     this.#stage.turnAbout(this.#model.surface.positionOf(point), isMotionReduced());
   }
 
-  #isNear(a: SurfacePoint, b: SurfacePoint): boolean {
+  #pixelsBetween(a: SurfacePoint, b: SurfacePoint): number {
     const [p, q] = [a, b].map((at) => this.#stage.project(this.#model.surface.positionOf(at)));
-    return Math.hypot(p!.x - q!.x, p!.y - q!.y) < fingerWidth;
+    return Math.hypot(p!.x - q!.x, p!.y - q!.y);
   }
 
   #pinHere(point: SurfacePoint): void {

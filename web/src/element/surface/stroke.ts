@@ -14,8 +14,8 @@ const spacing = 10;
 const digits = 4;
 
 /**
- * The next stroke that begins on the surface: its points, one where the pointer does not move. What begins beside it,
- * or with another button, is left to whoever turns the surface. Never settled after the signal.
+ * The next stroke that begins on the surface: its points, one where the pointer does not move. A stroke that begins
+ * beside it, or with another button, is left to whoever turns the surface. Never settled after the signal.
  */
 export function strokeOn(
   canvas: HTMLCanvasElement,

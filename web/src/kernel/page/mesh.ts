@@ -59,6 +59,7 @@ import type {
   LimbOptions,
   Limbs,
   Loop,
+  ModelFormat,
   LoopFormat,
   LoopOptions,
   MaximaOptions,
@@ -487,6 +488,14 @@ export class MeshOfWorkers extends MeshWithAnalyses implements Mesh {
     const printed = this.#printed(given, limits);
     const check = await this.#ask('printCheck', { printed, limits }, options);
     return this.#found(check, { limits, persistence: given.igf?.persistence });
+  }
+
+  async exportModel(
+    format: ModelFormat,
+    { signal, unit }: ExportOptions = {},
+  ): Promise<Uint8Array> {
+    const model = this.#written(unit);
+    return (await this.#ask('writeModel', { model, format }, { signal })).bytes;
   }
 
   exportField(field: Field, format: FieldFormat, options: ExportOptions = {}): Promise<Uint8Array> {

@@ -1,4 +1,5 @@
-// The requests for fields that workers receive. What the caller has left out stays so: C++ has the defaults.
+// The requests for fields that workers receive. A parameter that the caller has left out stays so: C++ has the
+// defaults.
 
 import { failure } from './errors.js';
 import {

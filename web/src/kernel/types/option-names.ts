@@ -53,6 +53,7 @@ export const callOptionNames: Readonly<
     barcode: { '1': ['maxPersistence', 'maxSaddles', 'loops', 'signal'] },
     barcodes: { '0': ['maxPersistence', 'onProgress', 'signal'] },
     path: { '2': ['signal'] },
+    exportModel: { '1': ['unit', 'signal'] },
     exportField: { '2': ['unit', 'signal'] },
     exportFields: { '2': ['unit', 'signal'] },
     exportLoops: { '2': ['unit', 'signal', 'persistence'] },

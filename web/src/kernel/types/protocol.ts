@@ -75,8 +75,8 @@ export interface WrittenModel {
 }
 
 /**
- * A vertex field, with what its values depend on besides the surface: `FieldParameters`, each by its path. What is left
- * out has the default of C++.
+ * A vertex field, with what its values depend on besides the surface: `FieldParameters`, each by its path. A parameter
+ * that is left out has the default of C++.
  */
 export type FieldRequest = { name: VertexFieldName | 'barcode' } & {
   [Path in (typeof parameterPaths)[number]]?: number | string | readonly SurfacePoint[] | undefined;
@@ -91,7 +91,7 @@ export type FoundRefined = Pick<
   'values' | 'kinds' | 'states' | 'audit' | 'coarseFaces' | 'leanFaces' | 'note'
 >;
 
-/** One number of a signature. What is left out has the default of C++. */
+/** One number of a signature. A number that is left out has the default of C++. */
 export type SpectralRequest = { name: SpectralFieldName } & {
   [Option in keyof SpectralOptions]: number | undefined;
 };

@@ -529,6 +529,12 @@ export interface Necks {
    * more steps than their size explains.
    */
   unresolved: number;
+  /**
+   * A least prominence for the clear ones, in model units: a twentieth of the narrowest neck's length,
+   * whatever `minProminence` leaves out. Necks of noise and most of bands of parallel loops are below
+   * it. 0 without necks.
+   */
+  suggestedProminence: number;
   /** Most prominent first, of equal ones the shortest. */
   necks: Neck[];
 }

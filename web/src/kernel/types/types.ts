@@ -146,7 +146,11 @@ export interface WriteOptions extends ExportOptions {
 }
 
 /** Formats that a result is written in. */
-export type FormatOf<Found> = Found extends Necks | Handles | LimbAxis | Sections
+export type FormatOf<Found> = Found extends
+  | Omit<Necks, 'suggestedProminence'>
+  | Handles
+  | LimbAxis
+  | Sections
   ? 'csv' | 'json' | 'obj' | 'glb'
   : Found extends Segments
     ? 'csv' | 'json' | 'glb'
@@ -297,7 +301,7 @@ export interface LimbOptions extends WatchedOptions {
 export interface LevelCurve {
   /** Whether the last point equals the first. Otherwise it ends at the boundary, or where values are missing. */
   closed: boolean;
-  /** Vertices and points of edges in order; it is straight between them. What is less lies on the left. */
+  /** Vertices and points of edges in order; it is straight between them. Lower values lie on the left. */
   points: SurfacePoint[];
   /** x, y, z of these points, relative to {@link MeshGeometry.origin}. */
   polyline: Float32Array;
@@ -597,6 +601,9 @@ export interface MeshGeometry {
   origin: readonly [number, number, number];
 }
 
+/** Files that a surface can be written as. */
+export type ModelFormat = 'obj' | 'ply' | 'stl' | 'off' | 'glb';
+
 /** Files that a field can be written as. */
 export type FieldFormat = 'csv' | 'json' | 'npy' | 'ply' | 'glb';
 
@@ -661,6 +668,11 @@ export interface Mesh extends Analyses {
    * from 165,000 on.
    */
   path(from: SurfacePoint, to: SurfacePoint, options?: CallOptions): Promise<SurfacePath>;
+  /**
+   * Writes the surface as it was prepared, without values (`write_mesh.h`): OBJ, OFF and PLY with all digits, STL and
+   * GLB with positions rounded to 32 bits. Errors: USAGE for another format; LIMIT_EXCEEDED where a GLB would pass 4 GB.
+   */
+  exportModel(format: ModelFormat, options?: ExportOptions): Promise<Uint8Array>;
   /**
    * Writes a field as a file: CSV, JSON and NPY in the order of the input's vertices, PLY and GLB as the
    * surface with its values (`write_field.h`). Lengths are labelled with `unit`; by default with the
@@ -729,8 +741,9 @@ export interface Mesh extends Analyses {
   profile(points: readonly SurfacePoint[], options?: ProfileOptions): Promise<Profile>;
   /**
    * Measures the girth along the axis of a limb of this mesh (of {@link Mesh.limbs}), or of another tube (`limbAxis`):
-   * by as many loops as loops go round at its stations. What `girth profile --limb` gives without `--samples` needs
-   * limbs of 100 stations. Errors: VERTEX_OUT_OF_RANGE and INVALID_POINT where its stations are not of this mesh.
+   * by as many loops as loops go round at its stations. Stations as `girth profile --limb` gives them without
+   * `--samples` need limbs of 100 stations. Errors: VERTEX_OUT_OF_RANGE and INVALID_POINT where its stations are not of
+   * this mesh.
    *
    * @experimental
    */
@@ -800,8 +813,8 @@ export interface Mesh extends Analyses {
   cut(curves: readonly (readonly SurfacePoint[])[], options?: CutOptions): Promise<Cut>;
   /**
    * Cuts the surface and writes the parts: one file, or one for each part where the format is 'stl' or 'ply'. GLB, OBJ
-   * and PLY keep the colours and other values that the model's file gives its vertices, as `girth cut` does. The same
-   * errors, and LIMIT_EXCEEDED where a GLB would pass 4 GB.
+   * and PLY keep the colours and other values that the model's file gives its vertices, as `girth cut` does. Errors are
+   * the same, and LIMIT_EXCEEDED where a GLB would pass 4 GB.
    *
    * @experimental
    */
@@ -812,7 +825,7 @@ export interface Mesh extends Analyses {
   ): Promise<Uint8Array[]>;
   /**
    * Divides the surface at its necks (`cutAtNecks`), and says of each part what it is and which tips end on it
-   * (`segmentsOf`). `igf` and `sdf` are the fields of these names. Of necks that cross, the most prominent count;
+   * (`segmentsOf`). `igf` and `sdf` are the fields of these names. Where necks cross, the most prominent counts;
    * thresholds that are not given are the suggested ones. Errors: INVALID_OPTION for `minProminence`; USAGE where a
    * threshold or the smoothing is negative or NaN.
    *
@@ -821,8 +834,8 @@ export interface Mesh extends Analyses {
   segments(igf: Field, sdf: Field, options?: SegmentOptions): Promise<Segments>;
   /**
    * Finds the same and writes it as a file, as `girth segments` does (`write_segments.h`): CSV and JSON have a label for
-   * each face of the model's file, GLB a node for each segment. The same errors, and LIMIT_EXCEEDED where a GLB would
-   * pass 4 GB.
+   * each face of the model's file, GLB a node for each segment. Errors are the same, and LIMIT_EXCEEDED where a GLB
+   * would pass 4 GB.
    *
    * @experimental
    */
@@ -913,7 +926,7 @@ export interface Mesh extends Analyses {
    * @experimental
    */
   difference(field: Field, other: Mesh, otherField: Field, options?: CallOptions): Promise<number>;
-  /** Stops its work and frees its memory. What was asked before fails with CANCELLED. */
+  /** Stops its work and frees its memory. Calls that are under way fail with CANCELLED. */
   dispose(): void;
   /** Disposes of it at the end of a block: `using mesh = await kernel.load(source)`. */
   [Symbol.dispose](): void;
@@ -928,7 +941,7 @@ export interface RemeshedMesh extends Mesh {
   carryBack(values: Float64Array, options?: CallOptions): Promise<Float64Array>;
   /**
    * Carries a field of its own, with its kinds, in the same way: what `girth igf --faces` does. Kinds are those of the
-   * nearest vertices; the method says how many faces it was computed on (`exact on 2000 faces`). The same errors.
+   * nearest vertices; the method says how many faces it was computed on (`exact on 2000 faces`). Errors are the same.
    */
   carryField(field: Field, options?: CallOptions): Promise<Field>;
 }
@@ -999,9 +1012,9 @@ export interface Kernel {
   /** Number of threads, or of workers of the pool. */
   readonly threads: number;
   /**
-   * Measures how far shapes are apart. What was computed of a mesh is kept as long as the mesh. Errors:
-   * USAGE for a descriptor that does not exist or a mesh of another package; where all meshes fail, the
-   * error of the first one; CANCELLED also when one of the meshes is disposed of.
+   * Measures how far shapes are apart. Results that were computed of a mesh are kept as long as the mesh. Errors: USAGE
+   * for a descriptor that does not exist or a mesh of another package; where all meshes fail, the error of the first
+   * one; CANCELLED also when one of the meshes is disposed of.
    * @experimental
    */
   compare(meshes: readonly Mesh[], options: CompareOptions): Promise<Comparison>;
@@ -1011,8 +1024,8 @@ export interface Kernel {
    */
   load(source: MeshSource, options?: LoadOptions): Promise<Mesh>;
   /**
-   * Ends all workers. What was asked before fails with CANCELLED. A process of Node.js ends without it too: a
-   * kernel keeps it alive only while something that was asked for is not done.
+   * Ends all workers. Calls that are under way fail with CANCELLED. A process of Node.js ends without it too: a kernel
+   * keeps it alive only while something that was asked for is not done.
    */
   dispose(): void;
   /** Disposes of it at the end of a block: `using kernel = await createKernel()`. */

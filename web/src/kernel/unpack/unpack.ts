@@ -1,6 +1,6 @@
 // Compressed glTF is unpacked before the C++ reader receives it, by the decoders' own WebAssembly modules,
-// which are loaded when they are needed. What is not geometry stays as it is, and all elements of the
-// document keep their numbers, so that the reader's messages are those of the command.
+// which are loaded when they are needed. All but geometry stays as it is, and all elements of the document keep their
+// numbers, so that the reader's messages are those of the command.
 
 import type { ModelBytes, Resource } from './unpack-gltf.js';
 

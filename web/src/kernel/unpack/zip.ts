@@ -1,5 +1,5 @@
-// Zip archives: their directory, and their files one at a time. fflate inflates. What an archive states of
-// itself is checked before memory is allocated for it.
+// Zip archives: their directory, and their files one at a time. fflate inflates. The sizes that an archive states are
+// checked before memory is allocated for it.
 
 import { crcOf } from './crc.js';
 import { Inflate } from 'fflate';

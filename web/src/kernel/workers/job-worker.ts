@@ -1,5 +1,5 @@
-// A worker for jobs: it reads models, and keeps surfaces to analyse, remesh and write them. What the latter takes is
-// loaded with the first of them.
+// A worker for jobs: it reads models, and keeps surfaces to analyse, remesh and write them. The module for the latter
+// is loaded with the first of them.
 
 import createAnalysis, { type AnalysisModule, type JobSurface } from '../wasm/girth-analysis.mjs';
 import createFiles, { type Described, type FilesModule } from '../wasm/girth-files.mjs';

@@ -1,5 +1,5 @@
-// A worker with the module without threads: one of a pool, or the one that answers requests for loops. What goes
-// beyond the girth and its loops is in a larger module, loaded when it is first asked for.
+// A worker with the module without threads: one of a pool, or the one that answers requests for loops. All beyond the
+// girth and its loops is in a larger module, loaded when it is first asked for.
 
 import createModule, { type GirthModule, type Surface } from '../wasm/girth.mjs';
 import createFields, { type FieldsModule, type FieldsSurface } from '../wasm/girth-fields.mjs';

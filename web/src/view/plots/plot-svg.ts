@@ -1,5 +1,5 @@
-// A plot as SVG: lines and bars as shapes, numbers as text. What a plot paints on its canvas by itself is written down by a
-// pen that has as much of a canvas as plots use.
+// A plot as SVG: lines and bars as shapes, numbers as text. Marks that a plot paints on its canvas by itself are
+// written down by a pen that has as much of a canvas as plots use.
 
 /** The pen that plots paint with: a part of a canvas's context. */
 export type PlotPen = Pick<

@@ -17,6 +17,7 @@ export const serving = {
     values: Float64Array<ArrayBuffer>;
     kinds: Uint8Array<ArrayBuffer>;
   }>(),
+  writeModel: takes('surface', 'model', 'format').gives<OneFile>(),
   writeFields: takes('surface', 'model', 'named', 'format').gives<OneFile>(),
   writeLoops: takes('surface', 'model', 'points', 'format').gives<Files>(),
   writeCut: takes('surface', 'model', 'content', 'curves', 'cap', 'format').gives<Files>(),
