@@ -227,6 +227,9 @@ test('every computed field by name, tips and parts as files', async () => {
     if (name) await page.locator('#export-name').selectOption(name);
     return downloadBy(() => page.locator(`#${group} [data-format=${format}]`).click());
   };
+  const model = await exporting('', 'export-model', 'ply');
+  expect(model.suggestedFilename()).toBe('chair.ply');
+  expect((await textOf(model)).slice(0, 3)).toBe('ply');
   const sdf = await exporting('sdf', 'export-field', 'csv');
   expect(sdf.suggestedFilename()).toBe('chair-sdf.csv');
   expect((await textOf(sdf)).split('\n')[0]).toMatch(/^vertex,sdf/);

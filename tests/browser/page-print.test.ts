@@ -6,6 +6,7 @@ import { complaintsOfAxe } from './axe.js';
 import { clicksOn } from './clicks.js';
 import { box } from './meshes.js';
 import { builtPage, drop, fragment, modelIs, openPanel, picture } from './page-support.js';
+import { fieldComplete } from './viewer-page.js';
 
 const openBuilt = builtPage();
 /** 2 × 1 × 2, without a unit: what is up in OBJ is y. */
@@ -117,4 +118,41 @@ test('a height with a unit states that of the file; a glTF is in metres and show
   await expect.poll(() => page.locator('#unit').inputValue()).toBe('m');
   await expect.poll(() => line.textContent()).toContain('1.8');
   await expect.poll(() => fragment(page)).toContain('unit=m&scale=0.9');
+});
+
+test('in another size a model keeps what was computed of it, and undo brings it back', async () => {
+  const { page, viewer } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  await fieldComplete(viewer);
+  await page.locator('#field-name').selectOption('thickness');
+  const thickness = () => viewer.evaluate((element: GirthViewer) => element.shareOf('thickness'));
+  await expect.poll(thickness, { timeout: 60_000 }).toBe(1);
+  const values = () =>
+    viewer.evaluate(async (element: GirthViewer) => [
+      [...(await element.fieldOf('igf')).values],
+      [...(await element.fieldOf('thickness')).values],
+    ]);
+  const before = await values();
+  const progress = await viewer.evaluateHandle((element: GirthViewer) => {
+    const all: string[] = [];
+    element.addEventListener('progress', ({ detail }) => all.push(detail.name));
+    return all;
+  });
+  await page.locator('#details-open').click();
+  const height = await viewer.evaluate((element: GirthViewer) => element.height);
+  await page.locator('#height').fill(String(10 * height));
+  await page.keyboard.press('Enter');
+  await expect.poll(() => fragment(page)).toContain('scale=');
+  const isGrown = async (factor: number): Promise<boolean> => {
+    const now = await values();
+    return before.every((all, i) =>
+      all.every((value, v) => Math.abs(now[i]![v]! - factor * value) <= 1e-5 * factor),
+    );
+  };
+  await expect.poll(() => isGrown(10)).toBe(true);
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => isGrown(1)).toBe(true);
+  expect(await page.locator('#said').textContent()).toBe('Undone: size.');
+  expect(await progress.jsonValue()).toEqual([]);
 });

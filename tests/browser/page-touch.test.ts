@@ -164,3 +164,38 @@ test('thresholds follow a finger, each by its line and both by their cross', asy
   // The parts were found anew for it.
   await expect.poll(() => panel.locator('.count').textContent()).toMatch(/\d+ tubes?, \d+ plates?/);
 });
+
+test('a second tap pins the place that it touches; words are for fingers', async () => {
+  const words = page.locator('#no-loops, #invitation');
+  const seen = await words.evaluateAll((all) => all.map((one) => (one as HTMLElement).innerText));
+  expect(seen.join(' ')).toMatch(/Open a mesh.*Tap the surface to see its loop, and tap again/);
+  expect(seen.join(' ')).not.toMatch(/click|Drop|Point/);
+
+  const point = await placeOnSurface(viewer, 0.5, 0.55);
+  const surface = (await viewer.boundingBox())!;
+  let second = point;
+  for (const [right, down] of [
+    [16, 0],
+    [-16, 0],
+    [0, 16],
+    [0, -16],
+  ] as const) {
+    const [x, y] = [point.x + right - surface.x, point.y + down - surface.y];
+    const near = await placeOnSurface(viewer, x / surface.width, y / surface.height);
+    const pixels = Math.hypot(near.x - point.x, near.y - point.y);
+    if (pixels > 10 && pixels < 22) second = near;
+  }
+  expect(second).not.toBe(point);
+  await page.touchscreen.tap(point.x, point.y);
+  await viewer.locator('.readout').waitFor();
+  await pairIsOver(page);
+  await page.touchscreen.tap(second.x, second.y);
+  const pinned = () => viewer.evaluate((element: GirthViewer) => element.pinned.length);
+  await expect.poll(pinned).toBe(1);
+  const place = await viewer.evaluate((element: GirthViewer) => {
+    const { left, top } = element.getBoundingClientRect();
+    const { x, y } = element.screenPosition(element.pinned[0]!.loop.base);
+    return { x: left + x, y: top + y };
+  });
+  expect(Math.hypot(place.x - second.x, place.y - second.y)).toBeLessThan(2);
+});
