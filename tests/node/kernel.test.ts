@@ -178,6 +178,32 @@ test('the unit is the one that a file states, there and back', async () => {
   ]);
 });
 
+test('the prepared surface as a file of every format, and scaled as it was asked for', async () => {
+  writeFileSync(inFolder('saved.obj'), `# unit: mm\n${torus(8, 4)}`);
+  const found = await printed(`
+    const kernel = await createKernel({ threads: 1 });
+    const mesh = await kernel.load('saved.obj', { prepare: { scale: 3 } });
+    const saved = [];
+    for (const format of ['obj', 'off', 'ply', 'stl', 'glb']) {
+      const again = await kernel.load({ bytes: await mesh.exportModel(format), name: 'a.' + format });
+      const { faceCount, vertexCount, area, unit } = again.info;
+      saved.push([format, faceCount, vertexCount, area / mesh.info.area, unit]);
+    }
+    const refused = await mesh.exportModel('3mf').catch(({ code }) => code);
+    console.log(JSON.stringify([saved, refused]));
+  `);
+  const [saved, refused] = found as [[string, number, number, number, string][], string];
+  expect(refused).toBe('USAGE');
+  for (const [format, faces, vertices, ratio, unit] of saved) {
+    expect([format, faces, vertices]).toEqual([format, 64, 32]);
+    // STL and GLB have numbers of 32 bits; GLB is in metres.
+    if (format !== 'glb') expect([format, unit]).toEqual([format, 'millimetre']);
+    const metres = format === 'glb' ? 1e-6 : 1;
+    const digits = ['obj', 'off', 'ply'].includes(format) ? 14 : 6;
+    expect(ratio / metres).toBeCloseTo(1, digits);
+  }
+});
+
 test('what cannot be read is an error with its code; no link leads out of a model’s folder', async () => {
   mkdirSync(inFolder('closed'));
   writeFileSync(inFolder('closed/model.gltf'), splitGltf(tetrahedron, 'link.bin').gltf);

@@ -34,6 +34,9 @@ def test_necks_are_those_of_the_command(command, model):
     assert found.unresolved == wanted["unresolved"] == 0
     np.testing.assert_allclose(found.lengths, [polygon_length(0.7), polygon_length(1)], rtol=1e-12)
     assert np.isinf(found.prominences[0])
+    assert found.suggested_prominence == wanted["suggestedProminence"]
+    assert found.suggested_prominence == pytest.approx(polygon_length(0.7) / 20)
+    assert [neck.length for neck in found] == [neck.length for neck in found.necks]
     for neck, other in zip(found, wanted["necks"]):
         assert neck.length == other["length"]
         assert np.isinf(neck.prominence) or neck.prominence == other["prominence"]
