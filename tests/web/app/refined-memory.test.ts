@@ -1,5 +1,10 @@
 import { expect, test } from 'vitest';
-import { memoryWords, refinedMemory } from '../../../web/app/panels/field/refined-memory.js';
+import {
+  memoryWords,
+  mostFaces,
+  mostMemory,
+  refinedMemory,
+} from '../../../web/app/panels/field/refined-memory.js';
 
 /** A surface of triangles with sides of length 1. */
 const surfaceOf = (vertexCount: number) => {
@@ -18,6 +23,20 @@ test('longer loops take more memory, and so do more of them', () => {
   const half = girth(10).map((value, v) => (v % 2 === 0 ? value : NaN));
   expect(refinedMemory(surfaceOf(100_000), half, 1)).toBeCloseTo(short);
   expect(refinedMemory(surfaceOf(10), new Float64Array(10).fill(NaN), 1)).toBeGreaterThan(0);
+});
+
+test('as many triangles fit as the page has memory for', () => {
+  const girth = new Float64Array(1000).fill(300);
+  const surface = surfaceOf(2_000_000);
+  const faces = mostFaces(surface, girth, 2);
+  const share = faces / surface.faceCount;
+  const of = (share: number) => ({
+    ...{ vertexCount: share * surface.vertexCount, area: surface.area },
+    faceCount: share * surface.faceCount,
+  });
+  expect(faces % 1000).toBe(0);
+  expect(refinedMemory(of(share), girth, 2)).toBeLessThanOrEqual(mostMemory);
+  expect(refinedMemory(of(1.01 * share), girth, 2)).toBeGreaterThan(mostMemory);
 });
 
 test('memory in words is rounded up', () => {

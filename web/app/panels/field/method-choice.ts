@@ -12,7 +12,7 @@ import { usualMethod } from '../../state/attributes.js';
 import type { Store } from '../../state/store.js';
 import { Draft } from '../../widgets/draft.js';
 import { kernel } from '../../model/kernel.js';
-import { memoryWords, mostMemory, refinedMemory } from './refined-memory.js';
+import { memoryWords, mostFaces, mostMemory, refinedMemory } from './refined-memory.js';
 
 /** The shown names that a method changes. */
 const concerned = new Set(['igf', 'kind', 'state', 'tips', 'parts']);
@@ -67,6 +67,7 @@ export class MethodChoice {
   /** Another model. */
   clear(): void {
     this.#draft.discard();
+    for (const option of this.#select.options) option.disabled = false;
   }
 
   /** Shows the choice for a field; hidden where no method matters to it, and for small models. */
@@ -82,10 +83,13 @@ export class MethodChoice {
       this.#say(wordsBefore(method, info));
       return;
     }
+    const refined = this.#select.options[methods.findIndex(([name]) => name === 'refined')]!;
     void Promise.all([this.#viewer.fieldOf('igf'), kernel]).then(
       ([field, { mode, threads }]) => {
         if (this.#viewer.info !== info || this.method !== method) return;
-        this.#say(wordsOf(field, info, mode === 'threads' ? threads : 1));
+        const many = mode === 'threads' ? threads : 1;
+        refined.disabled = refinedMemory(info, field.values, many) > mostMemory;
+        this.#say(wordsOf(field, info, many));
       },
       () => undefined,
     );
@@ -114,10 +118,13 @@ function wordsOf(field: Field, info: MeshInfo, threads: number): string {
   // The refined method knows no persistence; and of what was computed exactly nothing is to be said.
   if (!field.note || field.persistence) return sentence(field.note);
   const bytes = refinedMemory(info, field.values, threads);
-  const room = bytes > mostMemory ? `, and a page has ${memoryWords(mostMemory)}` : '';
-  return (
+  const words =
     `${sentence(field.note)} Refined, at each of ${formatCount(info.vertexCount)} vertices, it takes about ` +
-    `${memoryWords(bytes)} of memory${room}.`
+    `${memoryWords(bytes)} of memory`;
+  if (bytes <= mostMemory) return `${words}.`;
+  return (
+    `${words}, and a page has ${memoryWords(mostMemory)}: about ${formatCount(mostFaces(info, field.values, threads))} ` +
+    'faces fit, by remeshing in the details; the command has more memory.'
   );
 }
 

@@ -37,6 +37,23 @@ export function refinedMemory(
   return vertexCount * (perVertex + perCrossing * crossings) + fronts;
 }
 
+/** How many triangles of the same surface a page has the memory for, in thousands rounded down. */
+export function mostFaces(
+  info: Pick<MeshInfo, 'vertexCount' | 'faceCount' | 'area'>,
+  girth: Float64Array,
+  threads: number,
+): number {
+  let [fits, isTooMuch] = [0, 1];
+  for (let step = 0; step < 20; ++step) {
+    const share = (fits + isTooMuch) / 2;
+    const { vertexCount, faceCount, area } = info;
+    const fewer = { vertexCount: share * vertexCount, faceCount: share * faceCount, area };
+    if (refinedMemory(fewer, girth, threads) > mostMemory) isTooMuch = share;
+    else fits = share;
+  }
+  return Math.floor((fits * info.faceCount) / 1000) * 1000;
+}
+
 /** '300 MB', '1.2 GB'. */
 export function memoryWords(bytes: number): string {
   const hundreds = Math.ceil(bytes / 1e8);

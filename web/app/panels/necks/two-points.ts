@@ -97,6 +97,8 @@ export class TwoPoints {
       },
       found: (answer) => {
         this.#show();
+        const shown = 'bottleneck' in answer ? this.#list : this.#plot;
+        if (this.#isByHand) shown.element.scrollIntoView({ block: 'nearest' });
         if ('bottleneck' in answer) events.chosen(answer.bottleneck, this.#isByHand);
         return '';
       },
