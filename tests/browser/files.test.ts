@@ -160,7 +160,7 @@ describe('what was done', () => {
     await modelIs('soup.stl');
     const sheet = await openDetails();
     expect(await sheet.textContent()).toContain('258 vertices welded');
-    expect(await sheet.getByText('STL', { exact: true }).isVisible()).toBe(true);
+    expect(await sheet.locator('dd').getByText('STL', { exact: true }).isVisible()).toBe(true);
     expect(await sheet.textContent()).toContain('4.000 × 3.000 × 2.000');
   });
 
