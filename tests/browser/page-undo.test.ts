@@ -36,7 +36,7 @@ test('each change is a step back, and forth again, the model too', async () => {
   await expect.poll(() => viewer.getAttribute('colormap')).toBe(null);
   expect(await isDisabled()).toEqual(['true', 'false']);
   expect(await page.locator('#said').textContent()).toContain('Undone: colour map.');
-  expect(await redo.getAttribute('title')).toBe('Redo: colour map');
+  expect(await redo.getAttribute('title')).toBe('Redo: colour map (Ctrl+Shift+Z)');
   expect(await page.locator('#said').isVisible()).toBe(true);
   await page.keyboard.press('Control+Shift+z');
   await expect.poll(() => viewer.getAttribute('colormap')).toBe('magma');

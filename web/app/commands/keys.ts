@@ -2,7 +2,7 @@
 // those that move the surface.
 
 import type { GirthViewer } from '../../src/element/index.js';
-import { isPressed, keyWords, shortcutsOf, usualHere } from './shortcuts.js';
+import { isPressed, shortcutsOf, withKeys } from './shortcuts.js';
 
 /** Controls that take letters, digits or arrows for themselves. */
 const taking =
@@ -29,9 +29,8 @@ export function forwardKeys(viewer: GirthViewer): void {
 export function pressControls(): void {
   const controls = [...document.querySelectorAll<HTMLElement>('[aria-keyshortcuts]')];
   for (const control of controls) {
-    const [first = ''] = usualHere(shortcutsOf(control));
     const words = control.getAttribute('aria-label') ?? control.innerText.replace(/\s*…?\s*$/, '');
-    control.title = `${words} (${keyWords(first).join('+')})`;
+    control.title = withKeys(words, control);
   }
   document.addEventListener('keydown', (event) => {
     const [target] = event.composedPath();

@@ -63,3 +63,9 @@ export function isPressed(shortcut: Shortcut, event: KeyboardEvent): boolean {
     (isSign || wanted.shiftKey === event.shiftKey)
   );
 }
+
+/** Words on a control with its keys behind them: 'Undo (Ctrl+Z)'. */
+export function withKeys(words: string, control: Element): string {
+  const [first = ''] = usualHere(shortcutsOf(control));
+  return `${words} (${keyWords(first).join('+')})`;
+}

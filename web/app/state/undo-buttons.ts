@@ -1,5 +1,6 @@
 // Undo and redo: the buttons, which have the usual keys.
 
+import { withKeys } from '../commands/shortcuts.js';
 import { announce } from '../widgets/announcer.js';
 import { byId } from '../widgets/dom.js';
 
@@ -29,7 +30,7 @@ export function offerUndo(actions: UndoActions): () => void {
   const show = (button: HTMLElement, name: string, words: string | undefined): void => {
     // A disabled button would lose the focus of whoever has just pressed it.
     button.setAttribute('aria-disabled', String(words === undefined));
-    button.title = words ? `${name}: ${words}` : name;
+    button.title = withKeys(words ? `${name}: ${words}` : name, button);
   };
   const update = (): void => {
     show(undo, 'Undo', actions.undoWords);
