@@ -70,7 +70,7 @@ async function open(path: string): Promise<void> {
   }
 }
 
-/** A record: what each drawing context has drawn, and what each element has sent, by the time of their frames. */
+/** A record: what each drawing context has drawn, and what each element has sent, by the number of their frames. */
 interface Recorded {
   drawn: number[][];
   moves: number[][];
@@ -80,7 +80,15 @@ interface Recorded {
 function record(): void {
   const recorded: Recorded = { drawn: [], moves: [[], []], rests: [[], []] };
   Object.assign(globalThis, { recorded });
-  const frame = (): number => Number(document.timeline.currentTime);
+  // The clock of animations may stand still from one frame to the next: it runs ahead between them. This callback is asked
+  // for before all others of its frame, and so comes first.
+  let frames = 0;
+  const count = (): void => {
+    ++frames;
+    requestAnimationFrame(count);
+  };
+  requestAnimationFrame(count);
+  const frame = (): number => frames;
   const contexts: object[] = [];
   const { prototype } = WebGL2RenderingContext;
   const draw = Object.getOwnPropertyDescriptor(prototype, 'drawElements')!.value as (
