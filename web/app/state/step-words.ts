@@ -20,8 +20,8 @@ const words: Readonly<Record<keyof PageState, string>> = {
   panel: 'panel',
 };
 
-/** The parts that a change of the model takes with it. */
-const modelWords = new Set(['model', words.camera, words.panel]);
+/** Parts that move with others. */
+const following = new Set([words.camera, words.panel]);
 
 /** Names of what differs between two states as the address has them: 'colour map, isolines'; '' where nothing does. */
 export function stepWords(one: string, other: string): string {
@@ -33,7 +33,6 @@ export function stepWords(one: string, other: string): string {
       .map((key) => words[key]),
   );
   if (changed.has(words.model)) return words.model;
-  // The camera and the panel move with other things.
-  const own = [...changed].filter((name) => !modelWords.has(name));
+  const own = [...changed].filter((name) => !following.has(name));
   return (own.length > 0 ? own : [...changed]).join(', ');
 }
