@@ -6,6 +6,7 @@
 #include <atomic>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "boundary.h"
 #include "girth/vertex_function.h"
@@ -30,25 +31,27 @@ class Surface {
  public:
   explicit Surface(SurfaceMesh mesh) : mesh_(std::move(mesh)) {}
 
-  /// A field (`FieldRequest`) at all vertices: {complete}, or an error. Passes each value once to
+  /// A field (`FieldRequest`) at all vertices but those with a 1 in `known` (a Uint8Array, one
+  /// element a vertex; empty: none is known): {complete}, or an error. Passes each value once to
   /// `onPartial({vertices, values, kinds})` while it runs. Returns early when the flag is set.
-  val field(const val& wanted, unsigned threads, const val& onPartial) const {
+  val field(const val& wanted, const val& known, unsigned threads, const val& onPartial) const {
     return guarded([&] {
       const FieldRequest request = requestOf(wanted);
       const Result<AnyFunction> function = functionOf(mesh_, request);
       if (!function) return toJs(function.error());
       const ExecutionContext context{threads, &cancelled, {}};
+      const std::vector<Vertex> vertices = verticesWithout(known);
       const bool complete = std::visit(
           [&](const auto& one) {
-            const auto field = evaluateAll(mesh_, one, context, [&](const auto& partial) {
+            const auto report = [&](const auto& partial) {
               ValueArrays arrays;
               for (const auto& value : partial.values) arrays.add(value);
-              val report = val::object();
-              report.set("vertices", copyOut<Index>("Uint32Array", numbersOf(partial.vertices)));
-              arrays.setIn(report);
-              onPartial(report);
-            });
-            return field.complete();
+              val values = val::object();
+              values.set("vertices", copyOut<Index>("Uint32Array", numbersOf(partial.vertices)));
+              arrays.setIn(values);
+              onPartial(values);
+            };
+            return evaluateAt(mesh_, one, vertices, context, report).computed == vertices.size();
           },
           function.value());
       val result = val::object();
@@ -66,6 +69,16 @@ class Surface {
   }
 
  private:
+  /// All vertices but those that are known, coarse to fine.
+  std::vector<Vertex> verticesWithout(const val& known) const {
+    std::vector<Vertex> vertices = coarseToFineOrder(mesh_);
+    const auto isKnown = copyIn<std::uint8_t>(known);
+    if (isKnown.size() == vertices.size()) {
+      std::erase_if(vertices, [&](Vertex v) { return isKnown[v] != 0; });
+    }
+    return vertices;
+  }
+
   SurfaceMesh mesh_;
 };
 

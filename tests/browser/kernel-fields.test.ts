@@ -112,6 +112,44 @@ for (const mode of ['threads', 'pool'] as const) {
       },
     );
 
+    test('an urgent field comes before the girth, which goes on after it: all with the same bits', async () => {
+      const text = torus(60, 40);
+      const native = {
+        igf: column(written(text, 'csv', 'igf'), 'igf'),
+        thickness: column(written(text, 'csv', 'field', '--field', 'thickness'), 'thickness'),
+      };
+      const found = await page.evaluate(async (text) => {
+        const kernel = await girth.createKernel({ threads: 2 });
+        const mesh = await kernel.load(girth.obj(text));
+        const ended: string[] = [];
+        const seen: number[] = [];
+        let begun = (): void => undefined;
+        const isBegun = new Promise<void>((resolve) => (begun = resolve));
+        const igf = mesh.field('igf', {
+          onPartial: ({ vertices }) => {
+            seen.push(...vertices);
+            begun();
+          },
+        });
+        await isBegun;
+        const before = seen.length;
+        const thickness = mesh.field('thickness', { urgent: true });
+        void igf.then(() => ended.push('igf'));
+        void thickness.then(() => ended.push('thickness'));
+        const values = { igf: (await igf).values, thickness: (await thickness).values };
+        kernel.dispose();
+        return {
+          ...{ ended, before, reports: seen.length, distinct: new Set(seen).size },
+          values: { igf: [...values.igf], thickness: [...values.thickness] },
+        };
+      }, text);
+      expect(found.before).toBeLessThan(native.igf.length);
+      expect(found.ended).toEqual(['thickness', 'igf']);
+      expect([found.reports, found.distinct]).toEqual([native.igf.length, native.igf.length]);
+      expect(differing(found.values.igf, native.igf)).toBe(0);
+      expect(differing(found.values.thickness, native.thickness)).toBe(0);
+    });
+
     test('igf with a persistence: the same bits as the command, also read off barcodes', async () => {
       for (const [text, percent] of [
         [bulbs, 5],

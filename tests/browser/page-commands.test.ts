@@ -74,7 +74,7 @@ test('everything that the page offers is a command, once', async () => {
     'View: Edges',
     'View › Which way is up: Z is up',
     'All keys',
-    'A tour of five steps',
+    'A tour of the page',
     'Folder',
     'Documentation',
     'Surface: Pin the loop',

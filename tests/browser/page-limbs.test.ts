@@ -47,20 +47,21 @@ test('a row for each finger, in mm, to a spreadsheet in four clicks', async () =
   expect(await panel.locator('caption').textContent()).toBe('Lengths and girths in mm');
   const limbs = await girths();
   cells.forEach((row, i) => {
-    const { length, median, base, end } = limbs[i]!;
+    const { length, median, middle, base, end } = limbs[i]!;
     const [number, , narrowest] = row;
-    expect([number, Number(narrowest).toFixed(6), row[6]]).toEqual([
+    expect([number, Number(narrowest).toFixed(6), row[7]]).toEqual([
       String(i + 1),
       '8.000000',
       end,
     ]);
     expect(Number(row[1])).toBeCloseTo(length, 9);
     expect(Number(row[4])).toBeCloseTo(median, 9);
-    expect(Number(row[5])).toBeCloseTo(base, 9);
+    expect(Number(row[5])).toBeCloseTo(middle, 9);
+    expect(Number(row[6])).toBeCloseTo(base, 9);
   });
-  const { length, narrowest, median, base } = limbs[0]!;
+  const { length, narrowest, median, middle, base } = limbs[0]!;
   expect(await rows().first().locator('td').allTextContents()).toEqual(
-    [length, narrowest, median, base].map((value) => value.toFixed(2)),
+    [length, narrowest, median, middle, base].map((value) => value.toFixed(2)),
   );
   expect(await panel.locator('.count').textContent()).toBe('2');
 

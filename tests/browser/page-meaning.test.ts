@@ -52,24 +52,28 @@ test('a loop slides along the surface by itself until the pointer moves', async 
   await viewer.locator('.readout').waitFor({ state: 'hidden' });
 });
 
-test('a tour of five steps: a band slides along the octopus, tips are listed', async () => {
+test('a tour: a band slides along the octopus, tips, limbs and necks are listed', async () => {
   const { page, viewer } = await openBuilt();
   await modelIs(page, 'chair.glb');
   await page.locator('#help').click();
-  await page.getByRole('button', { name: 'A tour of five steps' }).click();
+  await page.getByRole('button', { name: 'A tour of the page' }).click();
   await modelIs(page, 'octopus.glb');
   const card = page.getByRole('region', { name: 'Tour' });
   await card.waitFor();
   const said: string[] = [];
-  for (let step = 1; step <= 5; ++step) {
-    await card.getByText(`${step} of 5`).waitFor();
+  const panels = { 3: 'tips', 4: 'limbs', 5: 'necks', 7: 'print' } as Record<number, string>;
+  for (let step = 1; step <= 8; ++step) {
+    await card.getByText(`${step} of 8`).waitFor();
     said.push((await card.locator('p').first().textContent())!);
     if (step === 1) expect(await complaintsOfAxe(page)).toEqual([]);
     if (step === 2) await viewer.locator('.readout').waitFor({ state: 'visible' });
     if (step === 3) await page.locator('#tips-panel .places button').first().waitFor();
-    await card.getByRole('button', { name: step < 5 ? 'Next' : 'Done' }).click();
+    if (step === 4) await viewer.locator('.number-mark').first().waitFor();
+    const panel = panels[step];
+    if (panel) await page.locator(`#${panel}-panel[open]`).waitFor();
+    await card.getByRole('button', { name: step < 8 ? 'Next' : 'Done' }).click();
   }
-  expect(new Set(said).size).toBe(5);
+  expect(new Set(said).size).toBe(8);
   expect(await card.isVisible()).toBe(false);
   await viewer.locator('.readout').waitFor({ state: 'hidden' });
 });

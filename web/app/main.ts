@@ -51,7 +51,7 @@ import { ProfilePlot } from '../src/element/plots.js';
 import type { TubePanel } from './panels/tube/tube-panel.js';
 import { TableActions } from './widgets/table-actions.js';
 import { columnOf } from './widgets/table-text.js';
-import { stemOf } from './export/save-file.js';
+import { saveFile, stemOf } from './export/save-file.js';
 import type { ModelScale } from './model/size-choice.js';
 import { offerTheme } from './theme.js';
 import { TipsPanel } from './panels/tips/tips-panel.js';
@@ -115,7 +115,10 @@ const size: ModelScale = {
     void reopen(wished, { scale, ...(weld === undefined ? {} : { weldDistance: weld }) });
   },
 };
-const print = new PrintPanel(viewer, store, size, () => explain());
+const print = new PrintPanel(viewer, store, size, () => {
+  explain();
+  field.showPlaces(print.places);
+});
 const comparePanel = new Panel('compare-panel');
 let compared: ComparePanel | undefined;
 /** The comparison is fetched when its panel is opened, or several models are. */
@@ -401,7 +404,7 @@ viewer.addEventListener('field', (event) => {
   limbs.girthIsThere();
   necks.girthIsThere();
 });
-const explain = explainColours(viewer, () => print.isColouring);
+const explain = explainColours(viewer, () => print.places !== undefined);
 
 /** The page's own first model comes before all that somebody asks for. */
 const atFirst = session.ask();
@@ -420,7 +423,11 @@ const plots = (): PagePlot[] =>
 offerExports(viewer, computed, { parts, loops, limbs, necks }, plots, async () =>
   (await projects()).projectOf(viewer, session.opened!, store.shown, computed),
 );
-offerSharing(shared);
+offerSharing(shared, async () => {
+  const { webPage } = await import('./export/web-page.js');
+  const page = new TextEncoder().encode(await webPage(viewer));
+  saveFile(page, `${stemOf(viewer.info?.name ?? 'model')}.html`);
+});
 
 /** The forms in which others can have the view. */
 function shared(): Shared {

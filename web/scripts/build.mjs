@@ -111,6 +111,7 @@ export async function buildExamples() {
 /** The page, with the modules and the examples that it needs. */
 export async function buildPage() {
   await buildExamples();
+  await buildSavedPage();
   await refresh({
     name: 'page',
     inputs: [
@@ -251,7 +252,7 @@ const usedOfKernel = [
   'workers/worker-from-elsewhere',
 ];
 
-/** The program of pages that `pygirth.show` of the Python package saves: the element without the kernel, in one file. */
+/** The program of pages that the page and `pygirth.show` of the Python package save: the element without the kernel, in one file. */
 export async function buildSavedPage() {
   await refresh({
     name: 'saved-page',
@@ -259,9 +260,12 @@ export async function buildSavedPage() {
       ...[...configuration, 'package.json', 'web/vite.shown.config.ts', 'web/src/element'],
       ...['web/src/view', ...usedOfKernel.map((name) => `web/src/kernel/${name}.ts`)],
     ],
-    outputs: ['build/shown/girth-shown.js'],
-    make: () =>
-      runTool('vite', ['build', '--config', 'web/vite.shown.config.ts', '--logLevel', 'warn']),
+    outputs: ['build/shown/girth-shown.js', 'build/shown/girth-shown.html'],
+    make: () => {
+      runTool('vite', ['build', '--config', 'web/vite.shown.config.ts', '--logLevel', 'warn']);
+      const template = join(repository, 'web/src/element/saved-page.html.in');
+      cpSync(template, join(repository, 'build/shown/girth-shown.html'));
+    },
   });
 }
 

@@ -39,14 +39,14 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Fou
     std::printf(", %zu tip%s that end%s none", none, none == 1 ? "" : "s", none == 1 ? "s" : "");
   std::printf("%s\n", persistenceText(found.persistence, loaded).c_str());
   if (count == 0) return;
-  std::printf("  %4s %12s %12s %12s %12s  %-9s %s\n", "limb", "length", "narrowest", "median",
-              "base", "end", "apex vertex");
+  std::printf("  %4s %12s %12s %12s %12s %12s  %-9s %s\n", "limb", "length", "narrowest", "median",
+              "middle", "base", "end", "apex vertex");
   for (std::size_t i = 0; i < count; ++i) {
     const Limb& limb = limbs.limbs[i];
-    std::printf("  %4zu %12s %12s %12s %12s  %-9s %s\n", i, readable(limb.length).c_str(),
+    std::printf("  %4zu %12s %12s %12s %12s %12s  %-9s %s\n", i, readable(limb.length).c_str(),
                 readableOrDash(limb.narrowest).c_str(), readableOrDash(limb.median).c_str(),
-                readableOrDash(limb.base).c_str(), std::string(toString(limb.end)).c_str(),
-                numberInFile(loaded, limb.apex).c_str());
+                readableOrDash(limb.middle).c_str(), readableOrDash(limb.base).c_str(),
+                std::string(toString(limb.end)).c_str(), numberInFile(loaded, limb.apex).c_str());
   }
   printUnits(loaded.unit);
 }

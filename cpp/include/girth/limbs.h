@@ -46,9 +46,11 @@ struct Limb {
   double length{0};
   /// Why it ends there.
   LimbEnd end{LimbEnd::Spreads};
-  /// The least girth of loops round the limb, from the tip's contour to the base, in model units:
+  /// The least girth of loops round the limb, from the end of its cap to the base, in model units:
   /// of the shortest neck, otherwise on the ring at one of these ends, or where loops slip off
-  /// between them. Exact, but not proven to be least between two stations. NaN where there is none.
+  /// between them. The cap ends at `middle` / π from the apex, as far as the limb is thick, or
+  /// where the tip's contour is, if that is farther. Exact, but not proven to be least between two
+  /// stations. NaN where there is none.
   double narrowest{0};
   /// How far from the apex it is, in model units: its ring, of equal ones the nearest, or the mean
   /// distance of the neck; NaN where there is none.
@@ -56,6 +58,9 @@ struct Limb {
   /// The middle one of the stations' medians, of those where a loop goes round the limb, in model
   /// units: along half of the limb the girth is less.
   double median{0};
+  /// The least girth on the ring at half of `length`, in model units; NaN where no loop goes round
+  /// the limb there.
+  double middle{0};
   /// The least girth at the base, in model units; NaN for a limb that is its whole component.
   double base{0};
   /// The vertices that the ring at the base cuts off, in rising order.

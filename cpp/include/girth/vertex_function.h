@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "girth/error.h"
@@ -61,23 +62,30 @@ struct VertexPartial {
   std::span<const Value> values;
 };
 
-/// Works on all vertices of a surface, in the order of `coarseToFineOrder`, each thread on one
-/// after the other; the calling thread is one of them. `startThread` is called once on each thread,
+/// Works on vertices, in their order, each thread on one after the other; the calling thread is one
+/// of them. `startThread` is called once on each thread,
 /// and what it returns with every vertex that the thread takes; false stops that thread.
 /// `onFinished`, where given, is called on the calling thread every few hundredths of a second,
 /// between two vertices of its own, and at the end, with the vertices that were finished since the
 /// last time; so early reports are spread over the whole surface. Returns how many vertices were
 /// finished: all, unless cancelled. Exceptions are thrown again on the calling thread.
 GIRTH_EXPORT std::size_t forEachVertex(
+    std::vector<Vertex> vertices, const ExecutionContext& context,
+    const std::function<std::function<bool(Vertex vertex)>()>& startThread,
+    const std::function<void(std::span<const Vertex> vertices)>& onFinished);
+
+/// Works on all vertices of a surface, in the order of `coarseToFineOrder`.
+GIRTH_EXPORT std::size_t forEachVertex(
     const SurfaceMesh& mesh, const ExecutionContext& context,
     const std::function<std::function<bool(Vertex vertex)>()>& startThread,
     const std::function<void(std::span<const Vertex> vertices)>& onFinished);
 
-/// The function at all vertices, by `forEachVertex`. `onPartial`, where given, has what is new.
-/// Any number of threads gives the same bits.
+/// The function at some vertices, by `forEachVertex`; each of them stands once in `vertices`.
+/// `onPartial`, where given, has what is new. `computed` counts these vertices only. Any number of
+/// threads, and any other vertices beside a vertex, give the same bits.
 template <class Value>
-VertexValues<Value> evaluateAll(
-    const SurfaceMesh& mesh, const VertexFunction<Value>& function,
+VertexValues<Value> evaluateAt(
+    const SurfaceMesh& mesh, const VertexFunction<Value>& function, std::vector<Vertex> vertices,
     const ExecutionContext& context = {},
     const std::type_identity_t<std::function<void(const VertexPartial<Value>&)>>& onPartial = {}) {
   static_assert(!std::is_same_v<Value, bool>, "threads write to neighbouring values");
@@ -93,26 +101,35 @@ VertexValues<Value> evaluateAll(
     };
   };
   std::vector<Value> finished;
-  const auto report = [&](std::span<const Vertex> vertices) {
+  const auto report = [&](std::span<const Vertex> some) {
     finished.clear();
-    for (const Vertex vertex : vertices) finished.push_back(values[vertex]);
-    onPartial({vertices, finished});
+    for (const Vertex vertex : some) finished.push_back(values[vertex]);
+    onPartial({some, finished});
   };
   if (onPartial) {
-    result.computed = forEachVertex(mesh, context, startThread, report);
+    result.computed = forEachVertex(std::move(vertices), context, startThread, report);
   } else {
-    result.computed = forEachVertex(mesh, context, startThread, {});
+    result.computed = forEachVertex(std::move(vertices), context, startThread, {});
   }
   return result;
 }
-
-/// A remark on values that propagations gave up (GirthSolver::setBudget), in a
-/// sentence; empty where there is none.
-GIRTH_EXPORT std::string budgetNote(Index withoutValue, Index vertices);
 
 /// All vertices, ordered so that every prefix is spread evenly over the surface: first one of each
 /// `run` neighbours (1 or more), then, run by run, the others. Work on neighbours, one after the
 /// other, finds the surface around them still in the processor's cache. O(n log n).
 GIRTH_EXPORT std::vector<Vertex> coarseToFineOrder(const SurfaceMesh& mesh, std::size_t run = 32);
+
+/// The function at all vertices, in the order of `coarseToFineOrder`, as `evaluateAt` has it.
+template <class Value>
+VertexValues<Value> evaluateAll(
+    const SurfaceMesh& mesh, const VertexFunction<Value>& function,
+    const ExecutionContext& context = {},
+    const std::type_identity_t<std::function<void(const VertexPartial<Value>&)>>& onPartial = {}) {
+  return evaluateAt(mesh, function, coarseToFineOrder(mesh), context, onPartial);
+}
+
+/// A remark on values that propagations gave up (GirthSolver::setBudget), in a
+/// sentence; empty where there is none.
+GIRTH_EXPORT std::string budgetNote(Index withoutValue, Index vertices);
 
 }  // namespace girth

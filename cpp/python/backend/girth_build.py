@@ -25,8 +25,8 @@ from pathlib import Path
 
 CMAKE = (3, 25)
 
-#: The viewer of `pygirth.show`; made by `npm run build:shown`, where there is Node.js.
-VIEWER = Path("build/shown/girth-shown.js")
+#: The viewer of `pygirth.show`, and its page; made by `npm run build:shown`, where there is Node.js.
+VIEWER = tuple(Path(f"build/shown/girth-shown.{ending}") for ending in ("html", "js"))
 
 PACKAGE = Path(__file__).resolve().parent.parent
 REPOSITORY = PACKAGE.parent.parent
@@ -164,9 +164,9 @@ def _files(module: Path) -> dict[str, bytes]:
         if path.is_file() and path.suffix in (".py", ".pyi", ".typed")
     }
     content[f"pygirth/{module.name}"] = module.read_bytes()
-    viewer = REPOSITORY / VIEWER
-    if viewer.exists():
-        content[f"pygirth/{viewer.name}"] = viewer.read_bytes()
+    for viewer in (REPOSITORY / path for path in VIEWER):
+        if viewer.exists():
+            content[f"pygirth/{viewer.name}"] = viewer.read_bytes()
     return content
 
 
@@ -211,7 +211,7 @@ SOURCES = (
 
 def _sources() -> dict[str, bytes]:
     """The files of the source archive, by their paths."""
-    paths = [*map(Path, SOURCES), *([VIEWER] if (REPOSITORY / VIEWER).exists() else [])]
+    paths = [*map(Path, SOURCES), *(path for path in VIEWER if (REPOSITORY / path).exists())]
     files = (REPOSITORY / path for path in paths)
     found = (one for file in files for one in (file.rglob("*") if file.is_dir() else [file]))
     content = {

@@ -326,16 +326,20 @@ class Limb(_Members):
     length : float
         Distance from the apex to the ring at its base, along the surface, in model units.
     narrowest : float
-        The least girth of loops round the limb, from the tip's contour to the base, in model
+        The least girth of loops round the limb, from the end of its cap to the base, in model
         units: of the shortest neck, otherwise on the ring at one of these ends, or where loops
-        slip off between them. Exact, but not proven to be least between two stations. NaN where
-        there is none.
+        slip off between them. The cap ends at ``middle`` / π from the apex, as far as the limb
+        is thick, or where the tip's contour is, if that is farther. Exact, but not proven to be
+        least between two stations. NaN where there is none.
     narrowest_distance : float
         How far from the apex it is, in model units: its ring, of equal ones the nearest, or the
         mean distance of the neck; NaN where there is none.
     median : float
         The middle one of the stations' medians, of those where a loop goes round the limb, in
         model units: along half of the limb the girth is less.
+    middle : float
+        The least girth on the ring at half of ``length``, in model units; NaN where no loop
+        goes round the limb there.
     base : float
         The least girth at the base, in model units; NaN for a limb that is its whole component.
     end : str
@@ -369,6 +373,7 @@ class Limb(_Members):
     narrowest: float
     narrowest_distance: float
     median: float
+    middle: float
     base: float
     end: str
     tips: list[int]

@@ -7,6 +7,7 @@ import html
 import importlib.resources
 import json
 import os
+import re
 import zlib
 from typing import Any, Iterable, Optional, Sequence, Union
 
@@ -27,29 +28,6 @@ FAR = 64
 
 #: Bytes that are compressed at once: some 20 ms.
 PIECE = 1 << 20
-
-PAGE = """\
-<!doctype html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; \
-script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:">
-<link rel="icon" href="data:,">
-<title>{title}</title>
-<style>
-html, body {{ height: 100%; margin: 0 }}
-body {{ display: grid; grid-template-rows: 1fr auto; font: 13px/1.4 system-ui, sans-serif }}
-girth-viewer {{ aspect-ratio: auto; min-block-size: 0; height: 100% }}
-#girth-caption {{ min-height: 1.4em; margin: 2px 8px; color: GrayText }}
-</style>
-<girth-viewer {attributes}></girth-viewer>
-<p id="girth-caption"></p>
-<script type="application/json" id="girth-content">{content}</script>
-<script type="module">{program}</script>
-</html>
-"""
-
 
 class Shown:
     """A page that shows a mesh: displayed by Jupyter as it is, and saved by `save`.
@@ -196,20 +174,21 @@ def show(
             "values": _packed(values, np.float64),
             "kinds": _packed(kinds, np.uint8),
         }
-    page = PAGE.format(
-        title=html.escape(caption),
-        attributes=" ".join(
+    parts = {
+        "title": html.escape(caption),
+        "attributes": " ".join(
             f'{key}="{html.escape(value)}"' for key, value in attributes.items() if value
         ),
         # The end of a script in HTML is written otherwise in JSON and in JavaScript.
-        content=json.dumps(content).replace("<", "\\u003c"),
-        program=_program().replace("</script", "<\\/script"),
-    )
+        "content": json.dumps(content).replace("<", "\\u003c"),
+        "program": _viewer("girth-shown.js").replace("</script", "<\\/script"),
+    }
+    page = re.sub(r"\{\{(\w+)\}\}", lambda found: parts[found[1]], _viewer("girth-shown.html"))
     return Shown(page, caption, pixels)
 
 
-def _program() -> str:
-    file = importlib.resources.files("pygirth") / "girth-shown.js"
+def _viewer(name: str) -> str:
+    file = importlib.resources.files("pygirth") / name
     if not file.is_file():
         raise MissingPackageError(
             "PROGRAM_NOT_LOADED",

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -512,8 +513,28 @@ class LimbMaker {
       const GirthStation& station = limb.profile.emplace_back(all.back().station);
       if (!std::isnan(station.least)) medians.push_back(station.median);
     }
-    if (auto error = findNarrowest(from, all, limb)) return error;
     limb.median = medians.empty() ? kNoValue : medianOf(std::move(medians));
+    limb.middle = kNoValue;
+    if (const double half = limb.length / 2; half >= from) {
+      auto ring = measuredAt(limb.apex, half, ringsAt({&half, 1}).front());
+      if (!ring) return ring.error();
+      if (!std::isnan(ring.value().station.least)) {
+        if (auto error = refineAlong(limb.apex, ring.value())) return error;
+      }
+      limb.middle = ring.value().station.least;
+    }
+    // A needle on the cap is not where the limb is narrowest.
+    double body = from;
+    if (const double cap = limb.middle / std::numbers::pi; cap > from && cap < limb.length) {
+      body = cap;
+      std::erase_if(all, [&](const Measured& ring) { return ring.station.distance < body; });
+      if (all.empty() || all.front().station.distance > body) {
+        auto ring = measuredAt(limb.apex, body, ringsAt({&body, 1}).front());
+        if (!ring) return ring.error();
+        all.insert(all.begin(), std::move(ring).value());
+      }
+    }
+    if (auto error = findNarrowest(body, all, limb)) return error;
     limb.base = limb.end == LimbEnd::Whole ? kNoValue : limb.profile.back().least;
     return std::nullopt;
   }

@@ -69,16 +69,18 @@ class Reporter {
 
 }  // namespace
 
-std::size_t forEachVertex(const SurfaceMesh& mesh, const ExecutionContext& context,
+std::size_t forEachVertex(std::vector<Vertex> vertices, const ExecutionContext& context,
                           const std::function<std::function<bool(Vertex vertex)>()>& startThread,
                           const std::function<void(std::span<const Vertex> vertices)>& onFinished) {
-  Work work(coarseToFineOrder(mesh));
+  if (vertices.empty()) return 0;
+  Work work(std::move(vertices));
   // The calling thread computes too, and reports between two vertices: so callbacks come from it
   // alone, and it works without threads too. One that only waited would be woken a
   // thousand times a second as WebAssembly, and take the others' place each time.
   Reporter reporter(work, context, onFinished);
   auto last = std::chrono::steady_clock::now();
-  const unsigned threads = std::min(threadCount(context), mesh.vertexCount());
+  const unsigned threads =
+      static_cast<unsigned>(std::min<std::size_t>(threadCount(context), work.order.size()));
   onThreads(threads, [&](bool calling, const std::atomic<bool>& failed) {
     const std::function<bool(Vertex)> compute = startThread();
     while (!context.cancelled() && !failed) {
@@ -95,6 +97,12 @@ std::size_t forEachVertex(const SurfaceMesh& mesh, const ExecutionContext& conte
   });
   reporter.report();
   return work.done.load();
+}
+
+std::size_t forEachVertex(const SurfaceMesh& mesh, const ExecutionContext& context,
+                          const std::function<std::function<bool(Vertex vertex)>()>& startThread,
+                          const std::function<void(std::span<const Vertex> vertices)>& onFinished) {
+  return forEachVertex(coarseToFineOrder(mesh), context, startThread, onFinished);
 }
 
 std::string budgetNote(Index withoutValue, Index vertices) {

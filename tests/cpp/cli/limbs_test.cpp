@@ -61,6 +61,7 @@ TEST_F(Command, limbsOfAPencil) {
   EXPECT_EQ(limb["vertices"].size(), 2u + (kLength + 1) * kCorners);
   EXPECT_GT(limb["length"].get<double>(), 11);
   EXPECT_NEAR(limb["median"].get<double>(), kGirth, 0.01);
+  EXPECT_NEAR(limb["middle"].get<double>(), kGirth, 1e-5);
   ASSERT_EQ(limb["profile"].size(), 64u);
   for (const Json& station : limb["profile"]) {
     EXPECT_GT(station["ring"].get<double>() + 1e-9, 0);
@@ -73,7 +74,7 @@ TEST_F(Command, limbsOfAPencil) {
   EXPECT_EQ(run({"limbs", model, "--unit", "cm", "-o", path("limbs.csv")}).exitCode, 0);
   const std::vector<std::string> rows = linesOf(contentOf(path("limbs.csv")));
   ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[0], "limb,length,narrowest,narrowestDistance,median,base,end,apex,unit");
+  EXPECT_EQ(rows[0], "limb,length,narrowest,narrowestDistance,median,middle,base,end,apex,unit");
   EXPECT_NE(rows[1].find(",,whole,"), std::string::npos) << rows[1];
 
   EXPECT_EQ(run({"limbs", model, "--profiles", "--stations", "5", "-o", path("p.csv")}).exitCode,

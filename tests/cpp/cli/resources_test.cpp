@@ -64,8 +64,8 @@ TEST_F(Resources, filesElsewhere) {
 
 TEST_F(Resources, anAbsentFileIsNamed) {
   const std::string said = infoWith("parts/lost%20one.bin");
-  EXPECT_NE(said.find("MISSING_RESOURCE: /buffers/0/uri: it refers to the file "
-                      "\"parts/lost one.bin\", which is missing"),
+  EXPECT_NE(said.find("MISSING_RESOURCE: the file \"parts/lost one.bin\" is missing: "
+                      "the model refers to it"),
             std::string::npos)
       << said;
 }

@@ -51,6 +51,7 @@ void expectConsistent(const SurfaceMesh& mesh, const Limb& limb) {
   }
   GirthSolver loops(mesh);
   double narrowest = std::numeric_limits<double>::infinity();
+  const double cap = std::isnan(limb.middle) ? 0 : limb.middle / M_PI;
   for (std::size_t i = 0; i < limb.profile.size(); ++i) {
     const GirthStation& station = limb.profile[i];
     EXPECT_NEAR(station.distance,
@@ -58,10 +59,11 @@ void expectConsistent(const SurfaceMesh& mesh, const Limb& limb) {
                 1e-12 * limb.length);
     if (std::isnan(station.least)) continue;
     EXPECT_EQ(loops.loop(station.place).value().length, station.least);
+    if (cap < limb.length && station.distance < cap) continue;
     narrowest = std::min(narrowest, station.least);
   }
   // Between stations the girth is less by no more than twice the way from the nearer one.
-  EXPECT_LE(limb.narrowest, narrowest);
+  EXPECT_LE(limb.narrowest, narrowest * (1 + 1e-12));
   EXPECT_GT(limb.narrowest, narrowest - 2 * limb.length / static_cast<double>(limb.profile.size()));
   if (limb.end == LimbEnd::Whole) {
     EXPECT_TRUE(std::isnan(limb.base));
@@ -587,10 +589,12 @@ Limb limbMoved(const Shape& shape, std::uint64_t seed, Index stations,
   expectConsistent(mesh, limb);
   limb.narrowest /= scale;
   limb.narrowestDistance /= scale;
+  limb.middle /= scale;
+  limb.length /= scale;
   return limb;
 }
 
-TEST(Limbs, AConeIsNarrowestAtItsTip) {
+TEST(Limbs, AConeIsNarrowestWhereItsCapEnds) {
   // At distance t from the apex of a cone of total angle θ < π the loop is 2 t sin(θ / 2) long. A
   // ring is a chord of each face, whose middle is nearest.
   constexpr Index kSides = 7;
@@ -598,12 +602,15 @@ TEST(Limbs, AConeIsNarrowestAtItsTip) {
   Tip tip;
   tip.apex = Vertex(0);
   tip.apexDistance = kFrom;
-  const double expected = 2 * kFrom * std::cos(kTotal / kSides / 2) * std::sin(kTotal / 2);
+  const double growth = 2 * std::cos(kTotal / kSides / 2) * std::sin(kTotal / 2);
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     for (const Index stations : {5u, 64u}) {
       const Limb limb = limbMoved(test::pyramid(kSides, kTotal, 11), seed, stations, tip);
-      EXPECT_NEAR(limb.narrowest, expected, 1e-9 * expected);
-      EXPECT_NEAR(limb.narrowestDistance, kFrom, 1e-9 * kFrom);
+      EXPECT_NEAR(limb.middle, growth * limb.length / 2, 1e-9 * limb.length);
+      const double cap = limb.middle / M_PI;
+      EXPECT_GT(cap, kFrom);
+      EXPECT_NEAR(limb.narrowestDistance, cap, 1e-9 * cap);
+      EXPECT_NEAR(limb.narrowest, growth * cap, 1e-9 * growth * cap);
     }
   }
 }
@@ -625,6 +632,30 @@ Shape openTube(double rootRadius, double endRadius, Index sides) {
   const Index apex = shape.add(0, 0, kRings + endRadius);
   for (Index i = 0; i < sides; ++i) shape.face(last + i, last + (i + 1) % sides, apex);
   return shape;
+}
+
+TEST(Limbs, ANeedleOnTheCapIsNotTheNarrowestPlace) {
+  // A finger of radius 1 and length 12, a pointed end of length 2, on it a needle of radius 0.05.
+  constexpr Index kSides = 12;
+  std::vector<test::Ring> rings;
+  for (int k = 0; k <= 12; ++k) rings.push_back({static_cast<double>(k), 1.2 - 0.2 * k / 12});
+  rings.push_back({14, 0.05});
+  rings.push_back({14.5, 0.05});
+  Shape shape = test::lathe(rings, kSides, false);
+  const Index last = shape.vertexCount() - kSides, apex = shape.add(0, 0, 14.51);
+  for (Index i = 0; i < kSides; ++i) shape.face(last + i, last + (i + 1) % kSides, apex);
+  const SurfaceMesh mesh = shape.mesh(OpenEdges::Boundary);
+  const std::vector<double> girth = girthField(mesh).values;
+  Tip tip;
+  tip.apex = Vertex(apex);
+  tip.apexDistance = 0.1;
+  const Limbs limbs = limbsOf(mesh, girth, {tip});
+  ASSERT_EQ(limbs.limbs.size(), 1u);
+  const Limb& limb = limbs.limbs[0];
+  expectConsistent(mesh, limb);
+  EXPECT_GT(limb.middle, test::polygonLength(1, kSides));
+  EXPECT_NEAR(limb.narrowestDistance, limb.middle / M_PI, 1e-9);
+  EXPECT_GT(limb.narrowest, 10 * test::polygonLength(0.05, kSides));
 }
 
 TEST(Limbs, ATubeThatTapersToItsOpenRootIsNarrowestThere) {

@@ -94,6 +94,33 @@ TEST(VertexFunction, OneByOneAsAllTogether) {
   }
 }
 
+TEST(VertexFunction, SomeVerticesHaveTheValuesOfAll) {
+  const SurfaceMesh mesh = perturbed(octasphere(2), 0.1, 3).mesh();
+  const std::vector<Vertex> order = coarseToFineOrder(mesh);
+  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 3);
+  for (const Named& named : functionsOf(mesh)) {
+    SCOPED_TRACE(named.name);
+    std::vector<double> joined(mesh.vertexCount());
+    for (const std::vector<Vertex>& some :
+         {std::vector(order.begin(), middle), std::vector(middle, order.end())}) {
+      std::size_t reported = 0;
+      const auto report = [&](const VertexPartial<double>& partial) {
+        for (const Vertex v : partial.vertices) joined[v] = named.all[v];
+        reported += partial.vertices.size();
+      };
+      const VertexValues<double> found = evaluateAt(mesh, named.function, some, {}, report);
+      EXPECT_EQ(found.computed, some.size());
+      EXPECT_EQ(reported, some.size());
+      EXPECT_EQ(found.values.size(), mesh.vertexCount());
+      for (const Vertex v : some) EXPECT_TRUE(same({found.values[v]}, {named.all[v]})) << v;
+    }
+    EXPECT_TRUE(same(joined, named.all));
+    EXPECT_EQ(evaluateAt(mesh, named.function, {}).computed, 0u);
+    const std::vector<Vertex> none = {Vertex(mesh.vertexCount())};
+    EXPECT_EQ(evaluateAt(mesh, named.function, none).computed, 0u);
+  }
+}
+
 TEST(VertexFunction, EvaluatorsOutliveTheirFunction) {
   const SurfaceMesh mesh = octasphere(2).mesh();
   const ExecutionContext context;

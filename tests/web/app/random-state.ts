@@ -63,6 +63,7 @@ export const choices: Omit<
   bottleneck: [[1, 4]],
   profile: [[1, point, 3]],
   axis: [1, 3],
+  limbNames: [['left arm', '', 'tail, short']],
   prominence: [0.125],
   cut: ['necks', 'neck:2', 'at:0.5'],
   rims: [true],

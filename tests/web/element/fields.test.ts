@@ -1,3 +1,4 @@
+import { checkWords } from '../../../web/src/element/model/large-girth.js';
 import { afterEach, expect, test, vi } from 'vitest';
 import { combine as combineBy } from '../../../web/src/element/model/combined-field.js';
 import { Fields, type FieldState } from '../../../web/src/element/model/fields.js';
@@ -226,4 +227,19 @@ test('values of different units have no difference, and nothing is divided by 0'
   const refused = () => combine('difference', lengths, operand('K', 1, 1, 1));
   expect(refused).toThrow(/values in m and in K have no difference/);
   expect(combine('difference', lengths, operand('', 1, 1, 1)).range).toEqual([1, 2]);
+});
+
+test('carried values are compared with the exact ones that are there', () => {
+  const carried = [10, 20, NaN, 31];
+  const exact = (pairs: [number, number][]) => checkWords(carried, new Map(pairs));
+  expect(exact([])).toBe('');
+  expect(exact([[2, 5]])).toBe('');
+  expect(exact([[0, 10.1]])).toBe('1 of 1 exact values is within 5%');
+  expect(
+    exact([
+      [0, 10],
+      [1, 60],
+      [3, NaN],
+    ]),
+  ).toBe('1 of 2 exact values is within 5%');
 });

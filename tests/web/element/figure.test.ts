@@ -2,9 +2,14 @@
 
 import { expect, test } from 'vitest';
 import { withDensity } from '../../../web/src/element/figure/png-density.js';
-import { scaleBarLength, sizeOf } from '../../../web/src/element/figure/snapshot.js';
+import {
+  isTransparent,
+  scaleBarLength,
+  scaleBarWords,
+  sizeOf,
+} from '../../../web/src/element/figure/snapshot.js';
 import { crcOf } from '../../../web/src/kernel/unpack/crc.js';
-import { lengthFormat } from '../../../web/src/view/numbers.js';
+import { formatLength, lengthFormat } from '../../../web/src/view/numbers.js';
 
 test('a scale bar is the greatest round length that fits, in the unit that is written', () => {
   const metres = lengthFormat(3, 'm');
@@ -36,4 +41,18 @@ test('a PNG states its density in pixels for each metre', async () => {
 
 test('the checksum is that of the specification', () => {
   expect(crcOf(new TextEncoder().encode('123456789'))).toBe(0xcbf43926);
+});
+
+test('a scale bar says whose unit it has', () => {
+  const words = (length: number, unit: string) =>
+    scaleBarWords(length, lengthFormat(1, unit), formatLength).replace(/\s/g, ' ');
+  expect(words(0.5, 'm')).toBe('0.5 m');
+  expect(words(1, '')).toBe('1 unit of the file');
+  expect(words(0.2, '')).toBe('0.2 units of the file');
+});
+
+test('a picture is transparent where that is chosen, or where it has no legend', () => {
+  expect(isTransparent({})).toBe(true);
+  expect(isTransparent({ legend: true })).toBe(false);
+  expect(isTransparent({ legend: true, transparent: true })).toBe(true);
 });

@@ -189,6 +189,49 @@ describe('a field by a pool', () => {
     expect((await second).values[7]).toBe(fakeValue(7));
   });
 
+  test('pauses for an urgent one, and goes on where it stopped', async () => {
+    const surface = fakeSurface(1000);
+    const asked: { name: string; vertices: Uint32Array }[] = [];
+    const seen: number[] = [];
+    let knownBefore: Set<number> | undefined;
+    const some = gate();
+    const { kernel } = await fakeKernel(async (request, report) => {
+      const { field, vertices } = request.arguments as {
+        field: { name: string };
+        vertices: Uint32Array;
+      };
+      if (request.operation === 'values') {
+        asked.push({ name: field.name, vertices });
+        if (field.name === 'thickness') knownBefore ??= new Set(seen);
+        // Longer than a report takes, so that some are known when the urgent one comes.
+        if (field.name === 'igf' && asked.length > 5) await some.opened;
+      }
+      return surface(request, report);
+    });
+    const mesh = await kernel.load(anyArrays);
+    const ended: string[] = [];
+    const girth = mesh.field('igf', { onPartial: ({ vertices }) => seen.push(...vertices) });
+    void girth.then(() => ended.push('igf'));
+    await vi.waitFor(() => expect(asked.length).toBeGreaterThan(6));
+    const thickness = mesh.field('thickness', { urgent: true });
+    void thickness.then(() => ended.push('thickness'));
+    some.open();
+    expect((await thickness).values[7]).toBeCloseTo(1 / 7);
+    expect((await girth).values).toEqual(
+      Float64Array.from({ length: 1000 }, (_, v) => fakeValue(v)),
+    );
+    expect(ended).toEqual(['thickness', 'igf']);
+    expect(new Set(seen).size).toBe(1000);
+    expect(seen).toHaveLength(1000);
+    const names = asked.map(({ name }) => name);
+    expect(names.lastIndexOf('igf')).toBeGreaterThan(names.lastIndexOf('thickness'));
+    const later = asked.slice(names.indexOf('thickness')).filter(({ name }) => name === 'igf');
+    expect(knownBefore?.size).toBeGreaterThan(0);
+    const askedAgain = later.flatMap(({ vertices }) => [...vertices]);
+    expect(askedAgain.filter((v) => knownBefore?.has(v))).toEqual([]);
+    kernel.dispose();
+  });
+
   test('is rejected as a fetch is, with the reason of the signal', async () => {
     const never = new Promise<object>(() => undefined);
     const surface = fakeSurface(10);

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import type { Report } from '../../../web/src/kernel/types/protocol.js';
+import { FieldRun } from '../../../web/src/kernel/page/field-run.js';
+import type { FieldRequest, Report } from '../../../web/src/kernel/types/protocol.js';
 import { ThreadsEngine } from '../../../web/src/kernel/page/threads-engine.js';
 import { WorkerClient } from '../../../web/src/kernel/page/worker-client.js';
 import { FakeWorker } from './fake-worker.js';
@@ -72,4 +73,39 @@ test('a signal sets the flag of the threads', async () => {
   await refined;
   const late = engine.refined(surfaceOf(1, 10), request, onReport, controller.signal);
   await expect(late).rejects.toMatchObject({ code: 'CANCELLED' });
+});
+
+test('a field that was stopped goes on with the vertices that are not known', async () => {
+  const asked: number[][] = [];
+  const flag = new SharedArrayBuffer(1);
+  const client = new WorkerClient<never>(
+    () =>
+      new FakeWorker(async ({ operation, arguments: args }, report) => {
+        if (operation === 'start') return { cancelFlag: { buffer: flag, byteOffset: 0 } };
+        if (operation !== 'field') return {};
+        const { known } = args as { known: Uint8Array };
+        asked.push([...known]);
+        const vertices = Uint32Array.of(0, 1, 2, 3).filter((v) => !known[v]);
+        const some = asked.length === 1 ? vertices.slice(0, 2) : vertices;
+        const values = Float64Array.from(some, (v) => v + 1);
+        report({ partial: { vertices: some, values, kinds: new Uint8Array(some.length) } });
+        while (asked.length === 1 && new Uint8Array(flag)[0] === 0) {
+          await new Promise((resolve) => setTimeout(resolve, 1));
+        }
+        return { complete: asked.length > 1 };
+      }),
+    2,
+  );
+  const engine = new ThreadsEngine(client, 2);
+  const run = new FieldRun(4, true, {});
+  const field = { name: 'igf' } as FieldRequest;
+  const pause = new AbortController();
+  const first = engine.compute(surfaceOf(1, 4), field, run, pause.signal);
+  await expect.poll(() => run.known).toHaveLength(4);
+  pause.abort();
+  await first;
+  expect(run.complete).toBe(false);
+  await engine.compute(surfaceOf(1, 4), field, run, new AbortController().signal);
+  expect(asked).toEqual([[], [1, 1, 0, 0]]);
+  expect([...run.values]).toEqual([1, 2, 3, 4]);
 });

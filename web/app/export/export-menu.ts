@@ -16,6 +16,7 @@ import { failureWords } from '../widgets/failure-words.js';
 import { FigureChoice } from './figure-choice.js';
 import type { LimbsPanel } from '../panels/limbs/limbs-panel.js';
 import type { NecksPanel } from '../panels/necks/necks-panel.js';
+import { PartialColours } from './partial-colours.js';
 import { modelFormats } from './model-files.js';
 import type { PagePlot } from './page-plot.js';
 import type { PartsPanel } from '../panels/parts/parts-panel.js';
@@ -190,10 +191,11 @@ export function offerExports(
     bottleneck: listed('bottleneck', lines),
   };
   const figure = new FigureChoice();
+  const savePicture = (): Promise<void> =>
+    save('', 'png', async () => [{ content: await viewer.snapshot(figure.options) }]);
+  const partial = new PartialColours(viewer, savePicture);
   const picture = [
-    entry('png', 'as it is now', () =>
-      save('', 'png', async () => [{ content: await viewer.snapshot(figure.options) }]),
-    ),
+    entry('png', 'as it is now', () => (partial.asks() ? Promise.resolve() : savePicture())),
     entry('svg', 'outline and loops, as lines', () =>
       save('-outline', 'svg', async () => [
         { content: textFile(await viewer.drawing(figure.drawing)) },
@@ -206,6 +208,14 @@ export function offerExports(
           return text === undefined ? [] : [{ content: textFile(text), word }];
         });
         return Promise.resolve(seen);
+      }),
+    ),
+  ];
+  const page = [
+    entry('html', 'in one file, to be turned in any browser', () =>
+      save('', 'html', async () => {
+        const { webPage } = await import('./web-page.js');
+        return [{ content: textFile(await webPage(viewer)) }];
       }),
     ),
   ];
@@ -224,11 +234,13 @@ export function offerExports(
     group('Handles and tunnels', 'export-handles', ...measured.handles),
     group('Bottleneck', 'export-bottleneck', ...measured.bottleneck),
     group('Pinned loops', 'export-loops', ...loops),
-    group('Picture', 'export-picture', figure.element, ...picture),
+    group('Picture', 'export-picture', figure.element, ...picture, partial.element),
+    group('Web page', 'export-page', ...page),
     group('Project', 'export-project', ...whole),
   );
 
   menu.addEventListener('beforetoggle', () => {
+    partial.leave();
     const names = computed();
     const before = choice.text;
     field.replaceChildren(
@@ -246,6 +258,6 @@ export function offerExports(
       byId(`export-${name}`).hidden = !(name in necksPanel.listed);
     }
     for (const button of loops) button.disabled = viewer.pinned.length === 0;
-    for (const button of [...models, ...picture, ...whole]) button.disabled = !viewer.info;
+    for (const button of [...models, ...picture, ...page, ...whole]) button.disabled = !viewer.info;
   });
 }

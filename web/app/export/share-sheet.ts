@@ -3,6 +3,7 @@
 import { make } from '../../src/element/index.js';
 import { copyText } from '../widgets/clipboard.js';
 import { byId } from '../widgets/dom.js';
+import { failureWords } from '../widgets/failure-words.js';
 import { Draft } from '../widgets/draft.js';
 
 /** The forms in which the view can be shared. */
@@ -63,8 +64,8 @@ function wordsOnLines({ fileName, isPrepared }: Shared): string {
     : `${rest}, and ${fileName} too.`;
 }
 
-/** Fills the sheet each time that it opens. */
-export function offerSharing(shared: () => Shared): void {
+/** Fills the sheet each time that it opens; `savePage` saves the model as a web page of its own. */
+export function offerSharing(shared: () => Shared, savePage: () => Promise<void>): void {
   const sheet = byId('share');
   const said = make('p', { class: 'hint', role: 'status' });
   const link = new Line('Link', 'Copy link', said);
@@ -72,7 +73,20 @@ export function offerSharing(shared: () => Shared): void {
   const frame = new Line('Frame', 'Copy frame', said);
   const [onLink, onLines] = [make('p', { class: 'hint' }), make('p', { class: 'hint' })];
   const lines = make('h3', {}, 'On a page of your own');
-  sheet.append(link.element, onLink, lines, element.element, frame.element, onLines, said);
+  const save = make('button', { type: 'button', class: 'plain' }, 'Save a web page');
+  save.addEventListener('click', () => {
+    said.textContent = '';
+    savePage().catch((error: unknown) => {
+      said.textContent = `That could not be written: ${failureWords(error)}.`;
+    });
+  });
+  const onPage = make(
+    'p',
+    { class: 'hint' },
+    'One file with the model, its values and pinned loops: it opens in any browser, from a disk too.',
+  );
+  const parts = [link.element, onLink, lines, element.element, frame.element, onLines];
+  sheet.append(...parts, make('p', { class: 'buttons' }, save), onPage, said);
   sheet.addEventListener('beforetoggle', (event) => {
     if (event.newState !== 'open') return;
     const now = shared();

@@ -10,7 +10,7 @@ import {
   fieldTitle,
   inSentence,
 } from '../../src/element/index.js';
-import { fieldMeanings } from '../../src/kernel/index.js';
+import { type MeshGeometry, fieldMeanings } from '../../src/kernel/index.js';
 import { byId } from '../widgets/dom.js';
 
 const words: Partial<Record<ShownName, string>> = {
@@ -29,6 +29,24 @@ const pace = 70;
 /** The meaning of the print check's colours, which stand in place of a field. */
 const printWords = 'what is too thin to print, and what is thick enough';
 
+/** Why ends of limbs have the colours of thick parts. */
+const tipWords = 'It slips off at tips: their bright ends are not thick.';
+
+/**
+ * Whether the girth jumps along an edge. Where it does not, it changes by at most twice the edge's length; a little more is
+ * rounding.
+ */
+function jumps(girth: Float64Array, { positions, indices }: MeshGeometry): boolean {
+  const away = (u: number, v: number): number =>
+    Math.hypot(...[0, 1, 2].map((axis) => positions[3 * u + axis]! - positions[3 * v + axis]!));
+  for (let i = 0; i < indices.length; ++i) {
+    const [u, v] = [indices[i]!, indices[i % 3 === 2 ? i - 2 : i + 1]!];
+    const change = Math.abs(girth[u]! - girth[v]!);
+    if (change > 2.1 * away(u, v)) return true;
+  }
+  return false;
+}
+
 /** The meaning of two fields combined in one; undefined for a single field. */
 function ofTwo(name: ShownName, colormap: ColormapName | undefined): string | undefined {
   const combined = combinationOf(name);
@@ -42,10 +60,27 @@ function ofTwo(name: ShownName, colormap: ColormapName | undefined): string | un
 /** Keeps the line up to date; returns a function to call when the print check has other colours. */
 export function explainColours(viewer: GirthViewer, isPrint: () => boolean): () => void {
   const line = byId('meaning');
+  /** The model whose girth was looked at; and the same, where the girth jumps. */
+  let seen: object | undefined;
+  let slipping: object | undefined;
+  const look = async (): Promise<void> => {
+    const { info } = viewer;
+    if (!info || seen === info || viewer.shareOf('igf') < 1) return;
+    seen = info;
+    const { values } = await viewer.fieldOf('igf');
+    if (viewer.info !== info || !jumps(values, viewer.geometry)) return;
+    slipping = info;
+    write();
+  };
   const write = (): void => {
+    // A failure is reported where it occurs.
+    look().catch(() => undefined);
     const { name, colormap } = viewer.shown ?? {};
     const meaning = isPrint() ? printWords : name && (words[name] ?? ofTwo(name, colormap));
-    line.textContent = meaning ? `Colours: ${meaning}.` : '';
+    const tips =
+      name === 'igf' && !isPrint() && viewer.info && slipping === viewer.info ? ` ${tipWords}` : '';
+    const text = meaning ? `Colours: ${meaning}.${tips}` : '';
+    if (line.textContent !== text) line.textContent = text;
   };
   for (const event of ['fieldchange', 'field', 'progress']) viewer.addEventListener(event, write);
   return write;

@@ -1,4 +1,4 @@
-// A tour of five steps, on the octopus: what a loop is, where it slips off, and what to do with that.
+// A tour on the octopus: what a loop is, where it slips off, and what is measured by it.
 
 import { type GirthViewer, make } from '../../src/element/index.js';
 import type { PanelName } from '../state/address-state.js';
@@ -15,7 +15,7 @@ interface Step {
 const steps: readonly Step[] = [
   {
     words:
-      'Colours show the girth: how long the shortest loop round the surface is at each place. Thin arms are dark, the head is light.',
+      'Colours show the girth: how long the shortest loop round the surface is at each point. Arms are dark: they are thin. The head is lighter: it is thicker.',
   },
   {
     words:
@@ -24,13 +24,28 @@ const steps: readonly Step[] = [
   },
   {
     words:
-      'At the end of an arm it slips off: nothing can be looped round any more, and the girth jumps. The part that it cuts off is a tip; the panel lists tips.',
+      'At the end of an arm the loop slips off, and the girth jumps to the way to the farthest point and back. So ends of arms are bright. Such an end is a tip; the panel lists tips.',
     panel: 'tips',
     slides: true,
   },
   {
-    words: `${byDevice('Point at the surface to see the loop of a place, and click to keep it', 'Tap the surface to see the loop of a place, and tap again to keep it')}. Kept loops have names and lengths, to be copied and exported.`,
+    words:
+      'The panel Limbs measures each arm: how long it is, where it is narrowest, and its girth all along. Its number stands on the surface.',
+    panel: 'limbs',
+  },
+  {
+    words:
+      'A neck is a loop that is shorter than all loops near it. The panel Necks lists them, and cuts the surface along them.',
+    panel: 'necks',
+  },
+  {
+    words: `${byDevice('Point at the surface to see the loop of a point, and click to keep it', 'Tap the surface to see the loop of a point, and tap again to keep it')}. Kept loops have names and lengths, to be copied and exported.`,
     panel: 'loops',
+  },
+  {
+    words:
+      'The print check finds walls and tubes that are too thin for a printer. Its limits have a unit: where the file states none, choose it in the panel.',
+    panel: 'print',
   },
   {
     words: `Now a model of your own: ${byDevice('drop a file anywhere, or use Open', 'use Open')}. It stays on your device. Help is behind the question mark.`,

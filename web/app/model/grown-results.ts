@@ -64,6 +64,7 @@ export function takeResults(
     );
   }
   return () => {
+    if (taken.length === 0) return;
     const ratio = growthOf(before, viewer.geometry);
     if (ratio === undefined) return;
     for (const field of taken) {

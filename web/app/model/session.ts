@@ -34,11 +34,21 @@ const asRead = {
 /** Whether two are the same surface: read from the same, and prepared in the same way. */
 export function isSameModel(one: Opened, other: Opened): boolean {
   const done = ({ source, model, prepare, remeshed, handles }: Opened): string =>
-    JSON.stringify([
-      typeof source === 'string' ? source : '',
-      ...[model, prepare, remeshed?.faces, handles],
-    ]);
-  return one.source === other.source && done(one) === done(other);
+    JSON.stringify([...[filesIn(source), model, prepare, remeshed?.faces, handles]]);
+  const isSameSource = one.source === other.source || filesIn(one.source) !== undefined;
+  return isSameSource && done(one) === done(other);
+}
+
+/** An address, or the names, sizes and dates of files; undefined for content that has none. */
+function filesIn(source: MeshSource): unknown {
+  if (typeof source === 'string') return source;
+  const files = (Array.isArray(source) ? source : [source]) as readonly unknown[];
+  const known = files.map((file) => {
+    const { content = file, path = '' } = file as { content?: unknown; path?: string };
+    if (!(content instanceof File)) return undefined;
+    return [path, content.name, content.size, content.lastModified];
+  });
+  return known.includes(undefined) ? undefined : known;
 }
 
 export class Session {

@@ -42,7 +42,7 @@ export class SizeChoice {
         ...units.map((name) => make('option', { value: name }, name)),
       );
     };
-    list(this.#unit, `${prefix}unit`, 'not stated: choose');
+    list(this.#unit, `${prefix}unit`, 'choose a unit');
     list(this.#shown, `${prefix}shown-unit`, 'as the file');
     this.#unitDraft = new Draft(this.#unit, {
       committed: (unit) => viewer.setAttribute('unit', unit),

@@ -31,7 +31,16 @@ const ownKeys = [
 /** Keys of the state that are about one surface. */
 const surfaceKeys = [
   ...(['range', 'method', 'camera', 'loops', 'names', 'values', 'girth', 'diameter'] as const),
-  ...(['smoothing', 'tip', 'jump', 'bottleneck', 'profile', 'axis', 'prominence'] as const),
+  ...([
+    'smoothing',
+    'tip',
+    'jump',
+    'bottleneck',
+    'profile',
+    'axis',
+    'limbNames',
+    'prominence',
+  ] as const),
   ...(['cut', 'rims'] as const),
 ] satisfies readonly Key[];
 

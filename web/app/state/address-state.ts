@@ -103,6 +103,8 @@ export interface PageState {
   profile?: SurfacePoint[];
   /** The limb along whose axis the girth is shown, from 1. */
   axis?: number;
+  /** The names of limbs, longest limb first; '' for no name. */
+  limbNames?: string[];
   /** The diameter that narrowings and widenings of tubes are compared with, where it is not the taper. */
   reference?: TubeReference;
   /** Necks are listed that stand out by at least so much, in model units. */
@@ -249,6 +251,8 @@ function readNames(text: string): string[] | undefined {
   return names.some((name) => name !== '') ? names : undefined;
 }
 
+const writeNames = (names: string[]): string => names.map(encodeURIComponent).join(',');
+
 /** Numbers with or without a unit: '83.5 mm'. */
 function readValue(text: string): string | undefined {
   return /^[\d.]{1,20}( [a-zµ]{1,3})?$/.test(text) ? text : undefined;
@@ -301,7 +305,7 @@ const parts: {
   section: [readSection, (section) => section],
   camera: [readCamera, (camera) => writeCamera(camera, short)],
   loops: [(text) => readAll(text, mostLoops, readPoint), writePoints],
-  names: [readNames, (names) => names.map(encodeURIComponent).join(',')],
+  names: [readNames, writeNames],
   values: [(text) => readAll(text, mostLoops, readValue), (values) => values.join(',')],
   girth: [readThreshold, (girth) => (girth === Infinity ? 'inf' : String(girth))],
   diameter: [readThreshold, (diameter) => (diameter === Infinity ? 'inf' : String(diameter))],
@@ -315,6 +319,7 @@ const parts: {
   bottleneck: [parseTwoPoints, writePoints],
   profile: [parsePath, writePoints],
   axis: [readCount, String],
+  limbNames: [readNames, writeNames],
   reference: [readReference, (reference) => reference],
   prominence: [readThreshold, writeLimit],
   cut: [readCut, (cut) => cut],

@@ -4,6 +4,7 @@ import { type GirthViewer, formatLength, make } from '../../src/element/index.js
 import type { LoopKind } from '../../src/kernel/index.js';
 import { ProfilePlot } from '../../src/element/plots.js';
 import { axisNumber } from './axis-number.js';
+import { shareBeside, shareWords } from './share-beside.js';
 import { TableActions, type TableSource } from './table-actions.js';
 import { byDevice } from './device.js';
 
@@ -89,10 +90,12 @@ export class AlongPlot {
     const loops = stations.filter(({ kind }) => kind === 'loop');
     const highest = Math.max(...(loops.length > 0 ? loops.map(({ girth }) => girth) : known));
     const way = `${formatLength(length, format)} ${this.#said.way}`;
+    const share = shareBeside(stations);
+    const narrow = share === undefined ? '' : ` Narrowest: ${shareWords(share)}.`;
     this.#caption.textContent =
       known.length === 0
         ? `${way}; no girth is known there.`
-        : `${way}; girth ${formatLength(least, format)} to ${formatLength(greatest, format)}.`;
+        : `${way}; girth ${formatLength(least, format)} to ${formatLength(greatest, format)}.${narrow}`;
     this.#plot.show({
       at: stations.map(({ distance }) => distance),
       lines: [{ y: girths, colour: '#e2571e' }],

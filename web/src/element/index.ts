@@ -32,6 +32,7 @@ export type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
 export type { ShownField, ShownPlaces } from './surface/shading.js';
 export type { DrawingOptions } from './figure/drawing.js';
 export type { FigureOptions } from './figure/snapshot.js';
+export type { PlaceNumber } from './surface/numbers-on-surface.js';
 export type { StrokeOptions } from './surface/stroke.js';
 export type { TipsChoice } from './surface/tips-on-surface.js';
 export type {

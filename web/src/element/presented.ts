@@ -21,6 +21,7 @@ import {
 } from '../view/index.js';
 import type { FieldState } from './model/fields.js';
 import { LoopsOnSurface, type LoopsHost } from './surface/loops-on-surface.js';
+import { NumbersOnSurface } from './surface/numbers-on-surface.js';
 import type { Model } from './model/model.js';
 import { Shading, type ShadingWishes, type ShownPlaces } from './surface/shading.js';
 import { Standing } from './surface/standing.js';
@@ -71,6 +72,7 @@ export class Presented {
   readonly shading: Shading;
   readonly loops: LoopsOnSurface;
   readonly tips: TipsOnSurface;
+  readonly numbers: NumbersOnSurface;
   readonly standing: Standing;
   readonly #smoother: Latest<PartsWish, Parts>;
   #points: PointMarks | undefined;
@@ -104,6 +106,7 @@ export class Presented {
     this.standing = new Standing(stage, model, up);
     this.loops = new LoopsOnSurface(stage, canvas, model, this.#format, host);
     this.tips = new TipsOnSurface(stage, model);
+    this.numbers = new NumbersOnSurface(stage, model);
     this.#smoother = new Latest(
       (wish) => model.parts(wish),
       (wish, parts) => {
@@ -299,6 +302,7 @@ export class Presented {
     this.standing.dispose();
     this.loops.dispose();
     this.tips.clear();
+    this.numbers.element.remove();
     this.showPoints([]);
     this.showPath(undefined);
     this.showCurves([]);

@@ -123,7 +123,7 @@ export class ViewerCore {
   });
   readonly #voice = new Voice();
   readonly #status = new StatusBar({
-    cancel: () => this.cancel(),
+    cancel: (name) => this.presented?.model.fields.cancel(name),
     cancelWork: () => this.#lifecycle.cancelLoad(),
     restart: () => void this.#restart(),
   });
@@ -229,6 +229,7 @@ export class ViewerCore {
         this.#controls.place();
         if (!this.presented) return;
         this.presented.loops.place();
+        this.presented.numbers.place();
         if (stage.graphics !== 'missing') this.#host.drawn();
       },
       touched: () => this.#controls.touched(),
@@ -563,13 +564,15 @@ export class ViewerCore {
   /** The picture as it is now, as a PNG; see `GirthViewer.snapshot`. */
   async snapshot(options: FigureOptions): Promise<Blob> {
     if (this.stage) requireGraphics(this.stage.graphics);
-    const { figure, sizeOf } = await import('./figure/snapshot.js');
+    const { figure, isTransparent, sizeOf } = await import('./figure/snapshot.js');
     const { stage } = this;
     if (!stage) throw new Error('the element is not on a page');
     const { width, dotsPerInch } = sizeOf(options);
     const parts = this.#figureParts(stage);
     const drawn = { ...options, dotsPerInch };
-    const blob = await blobOf(figure(stage.picture(width), parts, drawn, this.#element));
+    // A shadow on nothing would be a grey veil.
+    const picture = stage.picture(width, !isTransparent(options));
+    const blob = await blobOf(figure(picture, parts, drawn, this.#element));
     if (dotsPerInch === undefined) return blob;
     const { withDensity } = await import('./figure/png-density.js');
     return withDensity(blob, dotsPerInch);
@@ -577,7 +580,7 @@ export class ViewerCore {
 
   /** The outline and the loops as SVG; see `GirthViewer.drawing`. */
   async drawing(options: DrawingOptions): Promise<string> {
-    const [{ drawingSvg }, { scaleBarLength }] = await Promise.all([
+    const [{ drawingSvg }, { scaleBarLength, scaleBarWords }] = await Promise.all([
       import('./figure/drawing.js'),
       import('./figure/snapshot.js'),
     ]);
@@ -600,7 +603,8 @@ export class ViewerCore {
         },
         lines: presented.lines,
         parts: this.#figureParts(stage),
-        ...{ width, height, title: mesh.info.name, barLength: scaleBarLength },
+        ...{ width, height, title: mesh.info.name },
+        ...{ barLength: scaleBarLength, barWords: scaleBarWords },
       },
       options,
     );
@@ -657,8 +661,8 @@ export class ViewerCore {
     try {
       await fields.keepBarcodes(maxPersistence);
     } finally {
-      if (this.presented?.model.fields === fields && !fields.computing) {
-        this.#status.clear();
+      if (this.presented?.model.fields === fields) {
+        if (!fields.get('igf')?.running) this.#endStatus('igf');
         this.#controls.updateTurning();
       }
     }
@@ -696,14 +700,14 @@ export class ViewerCore {
       },
     });
     presented.shading.rangeFor = (own) => this.#shared?.range.of(own) ?? own.ends;
-    this.#legend.element.after(presented.loops.element);
+    this.#legend.element.after(presented.numbers.element, presented.loops.element);
     return presented;
   }
 
   /** The boxes on the canvas beside the surface: the top that the page writes on, and the element's own. */
   #furniture(): Box[] {
     const { left, top, width, height } = this.#host.frame.getBoundingClientRect();
-    const own = [...this.#legend.pieces, ...this.#status.element.children, this.#controls.element];
+    const own = [...this.#legend.pieces, ...this.#status.plates, this.#controls.element];
     const boxes = own.map((element) => {
       const box = element.getBoundingClientRect();
       return { left: box.left - left, top: box.top - top, width: box.width, height: box.height };
@@ -802,7 +806,7 @@ export class ViewerCore {
     const { presented } = this;
     if (!presented) return;
     presented.model.fields.forget(name);
-    if (!presented.model.fields.computing) this.#status.clear();
+    this.#endStatus(name);
     if (this.#wishes.name !== name) return;
     this.#restyle(true);
     void this.#showField();
@@ -814,6 +818,7 @@ export class ViewerCore {
     if (!presented) return;
     const { fields, life } = presented.model;
     fields.forget('angle');
+    this.#endStatus('angle');
     presented.loops.renew().catch((error: unknown) => {
       if (!life.signal.aborted) this.#fail('', error);
     });
@@ -825,7 +830,7 @@ export class ViewerCore {
     const { presented } = this;
     if (!presented) return;
     presented.model.forgetGirth();
-    if (!presented.model.fields.computing) this.#status.clear();
+    this.#endStatus('igf');
     this.#restyle(true);
     void this.#showField();
   }
@@ -852,11 +857,7 @@ export class ViewerCore {
       this.stage?.invalidateSoon();
     },
     progressed: (name, fraction, secondsLeft) => {
-      // One after the other, where there are several.
-      const { computing } = this.presented?.model.fields ?? {};
-      if ((computing ?? name) === name) {
-        this.#status.showProgress(fieldTitle(name), fraction, secondsLeft);
-      }
+      this.#status.showProgress(name, fieldTitle(name), fraction, secondsLeft);
       this.#controls.updateTurning();
       if (fraction > 0) this.#send('progress', { name, fraction, secondsLeft });
     },
@@ -866,7 +867,7 @@ export class ViewerCore {
       if (!this.#isPresent(state)) return;
       const { name, field } = state;
       const { shading, model } = this.presented!;
-      if (!model.fields.computing) this.#status.clear();
+      this.#endStatus(name);
       if (field) {
         if (shading.name === name) this.presented!.paint();
         this.#sendField(name, field.range, 1);
@@ -881,6 +882,12 @@ export class ViewerCore {
       this.#controls.updateTurning();
     },
   };
+
+  /** A field is no longer computed. */
+  #endStatus(name: FieldName): void {
+    this.#status.end(name);
+    if (!this.presented?.model.fields.computing) this.#status.clear();
+  }
 
   /** Whether the state of a field belongs to the model that is shown. */
   #isPresent(state: FieldState): boolean {

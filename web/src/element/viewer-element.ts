@@ -28,6 +28,7 @@ import type { GirthViewerEventMap, GirthViewerListener } from './events.js';
 import type { PinnedLoop } from './surface/loops-on-surface.js';
 import { MeshCalls } from './mesh-calls.js';
 import type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
+import type { PlaceNumber } from './surface/numbers-on-surface.js';
 import type { ShownField, ShownPlaces } from './surface/shading.js';
 import type { DrawingOptions } from './figure/drawing.js';
 import type { FigureOptions } from './figure/snapshot.js';
@@ -287,6 +288,11 @@ export class GirthViewer extends MeshCalls {
   async chooseStroke(options: StrokeOptions = {}): Promise<SurfacePoint[]> {
     const { loops } = await this.whole();
     return loops.chooseStroke(options);
+  }
+
+  /** Shows short words at places of the surface, in place of those before; without an argument none. */
+  showNumbers(numbers: readonly PlaceNumber[] = []): void {
+    this.require().numbers.show(numbers);
   }
 
   /** Draws lines on the surface, each given by x, y, z of its points; without an argument none. */

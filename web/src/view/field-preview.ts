@@ -22,6 +22,7 @@ export class FieldPreview {
   /** Smallest and largest value so far; undefined before the first. */
   range: [number, number] | undefined;
 
+  #isLent = false;
   readonly #hops: Uint16Array;
   readonly #queue: number[] = [];
   #head = 0;
@@ -45,8 +46,14 @@ export class FieldPreview {
     return this.#hops[vertex] === 0;
   }
 
+  /** Whether the values are those of fewer triangles. */
+  get isLent(): boolean {
+    return this.#isLent;
+  }
+
   /** Takes values of elsewhere, one per vertex, in place of what there is: none of them counts as computed. */
   lend(values: Float64Array, range: readonly [number, number]): void {
+    this.#isLent = true;
     this.values.set(values);
     this.shown.set(values);
     this.#hops.fill(unreached);

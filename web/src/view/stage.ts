@@ -369,20 +369,22 @@ export class Stage implements Borrower {
     return this.#height / (2 * half * this.#rig.view.distance * surface.bounds.radius);
   }
 
-  /** The picture as it is now, transparent where nothing is; `width` in pixels, as on the screen if undefined. */
-  picture(width?: number): HTMLCanvasElement {
-    if (width === undefined) {
-      this.#draw();
-      return this.#copy();
-    }
+  /**
+   * The picture as it is now, transparent where nothing is; `width` in pixels, as on the screen if undefined. `hasShadow`:
+   * whether the ground has the shadow that it has on the screen.
+   */
+  picture(width?: number, hasShadow = true): HTMLCanvasElement {
     const ratio = this.#ratio;
+    const shadow = hasShadow ? undefined : this.#shadow?.object;
     try {
-      this.#setRatio(width / this.#width);
+      if (width !== undefined) this.#setRatio(width / this.#width);
+      if (shadow) shadow.visible = false;
       this.#draw();
       return this.#copy();
     } finally {
-      this.#setRatio(ratio);
-      this.#draw();
+      if (shadow) shadow.visible = true;
+      if (width !== undefined) this.#setRatio(ratio);
+      if (width !== undefined || shadow) this.#draw();
     }
   }
 

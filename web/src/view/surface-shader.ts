@@ -1,7 +1,8 @@
 // How a surface is coloured: by a scalar, by categories, or by where two scalars lie from two thresholds.
 // Colours stay sRGB from the tables to the canvas. Each way is a program of its own, since every quantity
 // that is not needed would cost time at every pixel: SHADING is one of the modes; LINES is defined where
-// there are lines of equal value, LOGARITHMIC where the colour map is, FLAGS where there are marks or tips, FLAT where each face has one light.
+// there are lines of equal value, LOGARITHMIC where the colour map is,
+// DOUBTFUL where jumps are striped, FLAGS where there are marks or tips, FLAT where each face has one light.
 // Where three.js has a clipping plane, what lies in front of it is not drawn, the cut has a dark line, and the inside is plain.
 
 import { colormapSize } from './colormaps.js';
@@ -78,8 +79,7 @@ const byScalar = /* glsl */ `
   uniform float coloured;
   varying vec2 vScalar;
 
-  #ifdef LINES
-    uniform float isolines;
+  #if defined(LINES) || defined(DOUBTFUL)
     uniform float steepest;
     uniform float pixelRatio;
 
@@ -92,14 +92,23 @@ const byScalar = /* glsl */ `
       return length(gradient) / max(dot(normal, normal), 1e-30);
     }
 
+    // 1 where the values jump, 0 elsewhere.
+    float jumpAt(float value) {
+      return above(steepness((value - range.x) / max(range.y - range.x, 1e-37)) - steepest);
+    }
+  #endif
+
+  #ifdef LINES
+    uniform float isolines;
+
     // How strongly a line of equal value is drawn at a place in the range; they lie at whole levels from 1 on.
-    float lineAt(float place) {
+    float lineAt(float place, float value) {
       float level = place * (isolines + 1.0);
       float perPixel = max(fwidth(level), 1e-6);
       float away = abs(level - clamp(floor(level + 0.5), 1.0, isolines)) / (perPixel * pixelRatio);
       // Too close together they would only be a dark smear; and where the value jumps there are none.
       float line = (1.0 - smoothstep(0.3, 1.1, away)) * (1.0 - smoothstep(0.2, 0.5, perPixel));
-      return line * (1.0 - above(steepness(place) - steepest));
+      return line * (1.0 - jumpAt(value));
     }
   #endif
 
@@ -117,7 +126,12 @@ const byScalar = /* glsl */ `
     vec3 colour = texture2D(colormap, vec2(texel, 0.5)).rgb;
     #ifdef LINES
       float contrast = step(brightness(colour), 0.3);
-      colour = mix(colour, vec3(contrast), 0.6 * lineAt(place));
+      colour = mix(colour, vec3(contrast), 0.6 * lineAt(place, value));
+    #endif
+    #ifdef DOUBTFUL
+      float across = (gl_FragCoord.x + gl_FragCoord.y) / (7.0 * pixelRatio);
+      float stripe = smoothstep(0.0, 0.16, abs(fract(across) - 0.5) - 0.25);
+      colour = mix(colour, plain, 0.75 * stripe * jumpAt(value));
     #endif
     return mix(plain, colour, coloured * known);
   }

@@ -165,10 +165,12 @@ export class Surface {
 
   /**
    * So many lines of equal value, evenly spaced between the ends of the range; 0: none. Where the value
-   * changes by more than `steepest` for each unit of length it jumps, and has no lines.
+   * changes by more than `steepest` for each unit of length it jumps, and has no lines; stripes where `isDoubtful`: the
+   * place of a jump is not known.
    */
-  setIsolines(count: number, steepest: number): void {
+  setIsolines(count: number, steepest: number, isDoubtful = false): void {
     this.#define('LINES', count > 0 ? '' : undefined);
+    this.#define('DOUBTFUL', isDoubtful ? '' : undefined);
     this.#material.uniforms['isolines']!.value = count;
     this.#steepest = steepest;
     this.#updateSteepest();

@@ -11,8 +11,9 @@ constexpr auto describe(Members<Limb>) {
   return described<Limb>(
       member("length", &Limb::length), member("narrowest", &Limb::narrowest),
       member("narrowestDistance", &Limb::narrowestDistance), member("median", &Limb::median),
-      member("base", &Limb::base), member("end", &Limb::end), numbers("tips", &Limb::tips),
-      member("apex", &Limb::apex), member("vertices", &Limb::vertices),
+      member("middle", &Limb::middle), member("base", &Limb::base), member("end", &Limb::end),
+      numbers("tips", &Limb::tips), member("apex", &Limb::apex),
+      member("vertices", &Limb::vertices),
       numbersAt("distances", &Limb::distances, &Limb::vertices), member("profile", &Limb::profile));
 }
 

@@ -45,7 +45,8 @@ Result<std::uint32_t> GltfBuffers::fetched(const std::string& uri, std::uint32_t
   // Some exporters do not escape, and so a file's name may contain a percent sign.
   if (!bytes && resources_ && name != uri && staysInside(uri)) bytes = resources_(uri);
   if (!bytes) {
-    return error("it refers to the file " + inQuotes(name) + ", which is missing beside the model");
+    return makeError(ErrorCode::MissingResource, -1,
+                     "the file " + inQuotes(name) + " is missing: the model refers to it");
   }
   budget_.allowFor(bytes->size());
   document_.model.buffers[index] = bufferOf(*bytes);

@@ -5,6 +5,7 @@ import {
   type CombinedName,
   type GirthViewer,
   type ShownName,
+  type ShownPlaces,
   type ValuesName,
   colormapNames,
   combinationOf,
@@ -129,6 +130,7 @@ export class FieldPanel {
   readonly #isolinesDraft: Draft;
   #kind: DistributionKind = 'histogram';
   #areas: Float64Array | undefined;
+  #places: ShownPlaces | undefined;
   /** The name that coloured the surface before a panel wanted something else. */
   #before: ShownName | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
@@ -292,6 +294,12 @@ export class FieldPanel {
     });
   }
 
+  /** Places colour the surface in place of the field, or no longer. */
+  showPlaces(places: ShownPlaces | undefined): void {
+    this.#places = places;
+    this.refresh();
+  }
+
   /** Another model: an empty plot. */
   clear(): void {
     const viewer = this.#viewer;
@@ -381,15 +389,17 @@ export class FieldPanel {
     this.#method.show(first);
     this.#states.hidden = this.#method.method !== 'refined';
     this.#persistence.show(first);
-    const isNumeric = isOfNumbers(name) || name === 'tips';
+    const places = this.#viewer.shown ? undefined : this.#places;
+    const isNumeric = !places && (isOfNumbers(name) || name === 'tips');
     const values = this.#valuesOf(name);
-    const reach = extent(values);
+    const reach = places ? undefined : extent(values);
     plot.element.hidden = !isNumeric;
     this.#categories.element.hidden = isNumeric;
     for (const button of Object.values(this.#kindButtons)) button.disabled = !isNumeric;
     sliders.disabled = !reach;
     this.#rangeChoice.disabled = !reach;
-    if (!isNumeric) this.#showShares();
+    if (places) this.#categories.show(places.categories, places.kinds, this.#areas);
+    else if (!isNumeric) this.#showShares();
     if (!reach) {
       sliders.show(undefined, undefined, String);
       plot.element.setAttribute('aria-label', 'Distribution: no values yet');

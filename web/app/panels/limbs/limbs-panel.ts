@@ -5,8 +5,10 @@ import { type GirthViewer, formatLength, formatNumber, make } from '../../../src
 import type { GirthStation, Limb, LimbEnd, Limbs } from '../../../src/kernel/index.js';
 import { ProfilePlot } from '../../../src/element/plots.js';
 import type { Store } from '../../state/store.js';
+import { longestName } from '../../state/address-state.js';
 import { axisNumber } from '../../widgets/axis-number.js';
 import { LimbAxisProfile } from './limb-axis.js';
+import { Draft } from '../../widgets/draft.js';
 import { plural } from '../../model/model-words.js';
 import type { PagePlot } from '../../export/page-plot.js';
 import { Panel } from '../../widgets/panel.js';
@@ -27,8 +29,14 @@ const endWords: Record<LimbEnd, string> = {
   whole: 'nowhere: it is the whole shape',
 };
 /** The lengths that are listed for a limb. */
-const measures = ['length', 'narrowest', 'median', 'base'] as const;
-const measureWords = { length: 'Length', narrowest: 'Narrowest', median: 'Median', base: 'Base' };
+const measures = ['length', 'narrowest', 'median', 'middle', 'base'] as const;
+const measureWords = {
+  length: 'Length',
+  narrowest: 'Narrowest',
+  median: 'Median',
+  middle: 'Middle',
+  base: 'Base',
+};
 /** More limbs than these are only counted. */
 const mostRows = 40;
 /** Room above the thickest place of a plot. */
@@ -42,6 +50,7 @@ interface Row {
   choose: HTMLButtonElement;
   words: HTMLElement;
   axis: HTMLButtonElement;
+  name: Draft;
   /** The cell, as wide as the table, of the plot along the limb. */
   wide: HTMLElement;
   cells: HTMLElement[];
@@ -112,11 +121,13 @@ export class LimbsPanel {
     this.panel.onToggle((isOpen) => {
       if (isOpen) this.#search.start();
       else this.#select(undefined);
+      this.#showNames();
       // The axis is drawn after another panel has taken its own lines away.
       queueMicrotask(() => this.#axis.draw(this.panel.isOpen));
       this.#showAxis();
     });
     store.watch(['axis'], () => this.#showAxis());
+    store.watch(['limbNames'], () => this.#showNames());
     store.watch(['persistence', 'method'], () => {
       // Another girth has other limbs.
       if (this.#search.found && !this.#search.isCurrent) this.clear();
@@ -152,18 +163,19 @@ export class LimbsPanel {
     return [
       [
         'limb',
-        ...['length', 'narrowest', 'narrowest at', 'median', 'base'].map((name) =>
+        ...['length', 'narrowest', 'narrowest at', 'median', 'middle', 'base'].map((name) =>
           columnOf(name, unit),
         ),
         'ends',
         'apex vertex',
       ],
       ...(this.#search.found?.limbs ?? []).map((limb, i) => [
-        i + 1,
+        this.#nameOf(i + 1) || i + 1,
         limb.length * scale,
         limb.narrowest * scale,
         limb.narrowestDistance * scale,
         limb.median * scale,
+        limb.middle * scale,
         limb.base * scale,
         limb.end,
         limb.apex,
@@ -190,7 +202,7 @@ export class LimbsPanel {
       ],
       ...limbs.flatMap(({ profile }, i) =>
         profile.map(({ distance, least, median, ring }) => [
-          i + 1,
+          this.#nameOf(i + 1) || i + 1,
           ...[distance, least, median, ring].map((length) => length * scale),
         ]),
       ),
@@ -218,6 +230,7 @@ export class LimbsPanel {
     this.#table.hidden = this.#actions.element.hidden = limbs.length === 0;
     this.#actions.forget();
     this.panel.summary = this.#search.found ? String(limbs.length) : '';
+    this.#showNames();
     this.#refresh();
   }
 
@@ -228,16 +241,23 @@ export class LimbsPanel {
     const words = make('p', { class: 'hint' });
     const plot = new ProfilePlot({
       moved: (station) => this.#follow(row, station),
-      chosen: (station) => this.#pin(limb.profile[station]!),
+      chosen: (station) => void this.#pin(number, limb.profile[station]!).catch(() => undefined),
     });
     const axis = make('button', { type: 'button', class: 'plain' }, 'Profile along the axis');
-    const line = make('p', { class: 'buttons' }, axis);
+    const input = make('input', {
+      type: 'text',
+      placeholder: 'Name',
+      maxlength: String(longestName),
+      'aria-label': `Name of limb ${number}`,
+    });
+    const name = new Draft(input, { committed: (text) => this.#rename(number, text) });
+    const line = make('p', { class: 'buttons' }, input, axis);
     const wide = make('td', { colspan: String(1 + measures.length) }, plot.element, words, line);
     const elements = [
       make('tr', {}, make('th', { scope: 'row' }, choose), ...cells),
       make('tr', { class: 'along' }, wide),
     ];
-    const row: Row = { limb, number, elements, plot, choose, words, axis, wide, cells };
+    const row: Row = { limb, number, elements, plot, choose, words, axis, name, wide, cells };
     axis.setAttribute('aria-label', `Profile along the axis of limb ${number}`);
     axis.addEventListener('click', () => {
       store.choose({ axis: store.shown.axis === number ? undefined : number });
@@ -303,8 +323,36 @@ export class LimbsPanel {
     if (this.#viewer.info) this.#viewer.showLoop(at?.place);
   }
 
-  #pin({ place }: GirthStation): void {
-    if (place !== undefined) void this.#viewer.pin(place).catch(() => undefined);
+  /** Pins the loop at a station, which is called as the limb is. */
+  async #pin(number: number, { place }: GirthStation): Promise<void> {
+    if (place === undefined) return;
+    const { id } = await this.#viewer.pin(place);
+    this.#viewer.nameLoop(id, this.#nameOf(number) || `limb ${number}`);
+  }
+
+  /** The name that somebody gave a limb; '' for none. */
+  #nameOf(number: number): string {
+    return this.#store.shown.limbNames?.[number - 1] ?? '';
+  }
+
+  #rename(number: number, text: string): void {
+    const names = this.#rows.map((row) => this.#nameOf(row.number));
+    names[number - 1] = text.trim();
+    this.#store.choose({ limbNames: names.some((name) => name !== '') ? names : [] });
+  }
+
+  /** Numbers or names, in the list and on the surface while the panel is open. */
+  #showNames(): void {
+    for (const { number, name } of this.#rows) name.show(this.#nameOf(number));
+    this.#actions.forget();
+    if (!this.#viewer.info) return;
+    const shown = this.panel.isOpen ? this.#rows : [];
+    this.#viewer.showNumbers(
+      shown.map(({ limb, number }) => ({
+        point: middleOf(limb),
+        text: this.#nameOf(number) || String(number),
+      })),
+    );
   }
 
   /** The pointer is at a vertex of the surface: the cursor of its limb goes there. */
@@ -356,4 +404,17 @@ export class LimbsPanel {
     viewer.mark(row?.limb.vertices);
     if (row) viewer.flyTo({ vertices: row.limb.vertices });
   }
+}
+
+/** The vertex of a limb that is nearest to half of its length. */
+function middleOf({ apex, vertices, distances, length }: Limb): number {
+  let middle = apex;
+  let least = Infinity;
+  distances.forEach((distance, i) => {
+    const away = Math.abs(distance - length / 2);
+    if (away >= least) return;
+    least = away;
+    middle = vertices[i]!;
+  });
+  return middle;
 }

@@ -42,7 +42,7 @@ export class PointBarcode {
       make(
         'p',
         { class: 'hint' },
-        'Bars are loops through saddles of the distance from the point. A bar ends where its loop has filled a side.',
+        'A disk grows from the point over the surface. Where it meets itself is a saddle, with a loop through it: a bar begins. The bar ends where the disk has covered one side of the loop.',
       ),
     );
     this.element.hidden = true;

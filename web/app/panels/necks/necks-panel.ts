@@ -26,6 +26,7 @@ import type { PagePlot } from '../../export/page-plot.js';
 import { Panel } from '../../widgets/panel.js';
 import { PanelSearch } from '../../widgets/panel-search.js';
 import { PlaceList, type PlaceRow } from '../../widgets/place-list.js';
+import { shareWords } from '../../widgets/share-beside.js';
 import { term } from '../../help/term.js';
 import type { Store } from '../../state/store.js';
 import { TwoPoints } from './two-points.js';
@@ -366,8 +367,9 @@ export class NecksPanel {
     if (listed.kind === 'handle') detail = handleWords[listed.loop.kind];
     else {
       const { prominence } = listed.loop;
+      const beside = loop.length + prominence;
       const out = Number.isFinite(prominence)
-        ? `prominence ${formatLength(prominence, format)}`
+        ? `prominence ${formatLength(prominence, format)}, ${shareWords(loop.length / beside)}`
         : 'the narrowest';
       detail = `${out} · area ${formatArea(loop.area, format)}`;
     }

@@ -4,6 +4,7 @@ import {
   type Category,
   type GirthViewer,
   type PlacePicture,
+  type ShownPlaces,
   formatLength,
   make,
   sentence,
@@ -56,6 +57,11 @@ export class PrintPanel {
   readonly #wall: LengthInput;
   readonly #gap: LengthInput;
   readonly #answer = make('p', { class: 'answer', role: 'status' });
+  readonly #shareWords = make('span');
+  readonly #shareBar = make('progress', { max: '1' });
+  readonly #share = make('p', { class: 'awaited' }, this.#shareWords, this.#shareBar);
+  /** The field that the answer waits for. */
+  #awaited: 'thickness' | 'igf' | undefined;
   readonly #grow = make('button', { type: 'button', class: 'plain' });
   readonly #remedy = make('p', { class: 'buttons' }, this.#grow);
   readonly #cautions = make('ul', { class: 'cautions' });
@@ -65,8 +71,9 @@ export class PrintPanel {
   /** A caution about the thickness; '' for none. */
   #note = '';
   #asked = 0;
-  /** The model that is coloured by its places. */
+  /** The model that is coloured by its places, and these. */
   #coloured: MeshInfo | undefined;
+  #places: ShownPlaces | undefined;
   readonly #hasColoured: () => void;
   /** Checks again when the model is there in its other size. */
   #isToBeChecked = false;
@@ -133,6 +140,7 @@ export class PrintPanel {
     this.#reports = make('p', { class: 'buttons' }, html, json);
     this.panel.body.append(
       this.#answer,
+      this.#share,
       this.#remedy,
       this.#cautions,
       form,
@@ -145,6 +153,9 @@ export class PrintPanel {
     });
     store.watch(['tube', 'wall', 'gap', 'printer'], (state) => this.#follow(state));
     viewer.addEventListener('unit', () => this.#changeUnit());
+    viewer.addEventListener('progress', ({ detail: { name, fraction } }) => {
+      if (name === this.#awaited) this.#shareBar.setAttribute('value', String(fraction));
+    });
     this.clear(true);
   }
 
@@ -252,6 +263,7 @@ export class PrintPanel {
 
   #forget(): void {
     ++this.#asked;
+    this.#await(undefined);
     this.#checked = undefined;
     this.#note = '';
     this.#answer.textContent = '';
@@ -278,14 +290,16 @@ export class PrintPanel {
       // Thin tubes and walls keep their kind, whatever else a vertex is in.
       for (const vertex of vertices) kindOf[vertex] ||= kindCodes[kind];
     }
-    viewer.showPlaces({ title: 'Print check', kinds: kindOf, categories: kinds });
+    this.#places = { title: 'Print check', kinds: kindOf, categories: kinds };
+    viewer.showPlaces(this.#places);
     this.#hasColoured();
   }
 
-  /** Whether the surface is coloured by what was found, and not by a field. */
-  get isColouring(): boolean {
+  /** The places that were found, where they colour the surface in place of a field. */
+  get places(): ShownPlaces | undefined {
     const { info, shown } = this.#viewer;
-    return this.#coloured !== undefined && this.#coloured === info && !shown;
+    const isColouring = this.#coloured !== undefined && this.#coloured === info && !shown;
+    return isColouring ? this.#places : undefined;
   }
 
   #refresh(): void {
@@ -318,7 +332,8 @@ export class PrintPanel {
       );
     }
     if (this.#note) words.push(this.#note);
-    const unchecked = this.#checked && uncheckedWords(this.#checked.limits);
+    const isUnderWay = this.#awaited !== undefined;
+    const unchecked = !isUnderWay && this.#checked && uncheckedWords(this.#checked.limits);
     if (unchecked) words.push(`Not checked: ${unchecked}.`);
     return words;
   }
@@ -344,26 +359,67 @@ export class PrintPanel {
       gap: gap.length ?? 0,
     };
     const asked = ++this.#asked;
+    const isStale = (): boolean => asked !== this.#asked || viewer.info !== info;
+    // Walls and gaps do not wait for the girth.
+    const waitsForGirth = limits.tubeDiameter > 0 && viewer.shareOf('igf') < 1;
+    const isTwofold = waitsForGirth && (limits.wallThickness > 0 || limits.gap > 0);
+    const first = isTwofold ? { ...limits, tubeDiameter: 0 } : limits;
     this.#answer.textContent = 'Checking …';
     try {
+      const girth = first.tubeDiameter > 0 ? 'igf' : undefined;
+      this.#await(first.wallThickness > 0 ? 'thickness' : girth);
       const note = limits.wallThickness > 0 ? (await viewer.fieldOf('thickness')).note : '';
-      if (asked !== this.#asked || viewer.info !== info) return;
+      if (isStale()) return;
       this.#note = sentence(note);
       this.#refresh();
-      const check = await viewer.printCheck(limits);
-      if (asked !== this.#asked || viewer.info !== info) return;
-      this.#checked = { limits, check, pictures: new Map(), images: new Map() };
-      this.#show();
+      this.#await(girth);
+      const check = await viewer.printCheck(first);
+      if (isStale()) return;
+      const whole = isTwofold ? viewer.printCheck(limits) : undefined;
+      this.#await(isTwofold ? 'igf' : undefined);
+      this.#take({ limits: first, check, pictures: new Map(), images: new Map() });
       this.#answer.scrollIntoView({ block: 'nearest' });
-      for (const place of check.places.slice(0, picturedPlaces)) {
-        await this.#picture(this.#checked, place);
-        if (asked !== this.#asked || viewer.info !== info) return;
-        this.#show();
-      }
+      if (!whole) return;
+      const found = await whole;
+      if (isStale()) return;
+      this.#await(undefined);
+      this.#take({ limits, check: found, pictures: new Map(), images: new Map() });
     } catch (error) {
-      if (asked !== this.#asked || viewer.info !== info) return;
-      this.#answer.textContent = `Not checked: ${failureWords(error)}.`;
+      if (isStale()) return;
+      this.#await(undefined);
+      const words = failureWords(error);
+      if (!this.#checked) this.#answer.textContent = `Not checked: ${words}.`;
+      else {
+        this.#note = `Tubes are not checked: ${words}.`;
+        this.#refresh();
+      }
     }
+  }
+
+  /** Shows an answer, and pictures of its places as they are made. */
+  #take(checked: Checked): void {
+    this.#checked = checked;
+    this.#show();
+    void this.#picturePlaces(checked).catch(() => undefined);
+  }
+
+  async #picturePlaces(checked: Checked): Promise<void> {
+    for (const place of checked.check.places.slice(0, picturedPlaces)) {
+      await this.#picture(checked, place);
+      if (this.#checked !== checked) return;
+      this.#show();
+    }
+  }
+
+  /** Shows how much there is of a field that the answer needs; undefined: nothing is missing. */
+  #await(field: 'thickness' | 'igf' | undefined): void {
+    this.#awaited = field;
+    this.#share.hidden = field === undefined;
+    if (!field) return;
+    const words = field === 'igf' ? 'Girth, for tubes' : 'Thickness, for walls';
+    this.#shareBar.setAttribute('aria-label', words);
+    this.#shareWords.textContent = words;
+    this.#shareBar.setAttribute('value', String(this.#viewer.shareOf(field)));
   }
 
   #show(): void {

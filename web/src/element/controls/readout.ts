@@ -32,9 +32,15 @@ export class Readout {
     this.clear();
   }
 
-  show({ base, length, kind }: Loop, format: LengthFormat): void {
+  /** `coloured`: the length that the colour at the loop's point stands for, where it is another one. */
+  show({ base, length, kind }: Loop, format: LengthFormat, coloured?: number): void {
     const { name, sentence } = kindWords[kind];
-    this.#say(base, formatLength(length, format), name, sentence);
+    const colour =
+      coloured === undefined
+        ? ''
+        : `The colour stands for ${formatLength(coloured, format)}, computed on fewer triangles.`;
+    const words = [sentence, colour].filter(Boolean).join(' ');
+    this.#say(base, formatLength(length, format), name, words);
     this.element.dataset['length'] = String(length);
     this.element.dataset['kind'] = kind;
   }

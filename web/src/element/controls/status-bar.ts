@@ -1,10 +1,11 @@
-// Progress with time left and a cross to cancel; afterwards, what share was computed.
+// Each computation's progress, with the time left and a cross to cancel it; afterwards, what share was computed.
 
 import { formatSeconds } from '../../view/index.js';
 import { make } from './dom.js';
 
 export interface StatusActions {
-  cancel(): void;
+  /** Ends what `showProgress` shows under a key. */
+  cancel(key: string): void;
   /** Ends what `showWork` shows. */
   cancelWork(): void;
   /** Computes the whole field after a cancelled run. */
@@ -22,13 +23,8 @@ function cross(label: string): HTMLButtonElement {
   return make('button', { class: 'cross', type: 'button', 'aria-label': label, title }, '✕');
 }
 
-export class StatusBar {
-  readonly element = make('div', { class: 'status' });
-  readonly #progress: HTMLElement;
-  readonly #partial: HTMLElement;
-  readonly #work: HTMLElement;
-  readonly #workWords = make('span', { role: 'status' });
-  readonly #workShare = make('progress', { max: '1', 'aria-label': 'Preparing the model' });
+/** One computation in work. */
+class Run {
   readonly #track = make('div', {
     class: 'track',
     role: 'progressbar',
@@ -36,24 +32,46 @@ export class StatusBar {
     'aria-valuemax': '100',
   });
   readonly #bar = make('div', { class: 'bar' });
-  readonly #what = make('span', { class: 'what' });
   readonly #share = make('span', { class: 'share' });
   readonly #left = make('span', { class: 'left' });
+  readonly element: HTMLElement;
+
+  constructor(title: string, cancel: () => void) {
+    this.#track.append(this.#bar);
+    this.#track.setAttribute('aria-label', `Computing: ${title}`);
+    const what = make('span', { class: 'what' }, title);
+    const stop = cross(`Cancel computing: ${title}`);
+    stop.addEventListener('click', cancel);
+    const parts = [what, this.#track, this.#share, this.#left, stop];
+    this.element = make('div', { class: 'progress plate' }, ...parts);
+  }
+
+  show(fraction: number, secondsLeft: number | undefined): void {
+    this.#bar.style.transform = `scaleX(${fraction.toFixed(4)})`;
+    this.#track.setAttribute('aria-valuenow', String(Math.round(100 * fraction)));
+    this.#share.textContent = percent(fraction);
+    this.#left.textContent = secondsLeft === undefined ? '' : `${formatSeconds(secondsLeft)} left`;
+  }
+
+  /** Another one begins, for which it may have to wait. */
+  forgetTime(): void {
+    this.#left.textContent = '';
+  }
+}
+
+export class StatusBar {
+  readonly element = make('div', { class: 'status' });
+  readonly #runs = new Map<string, Run>();
+  readonly #runList = make('div', { class: 'runs' });
+  readonly #partial: HTMLElement;
+  readonly #work: HTMLElement;
+  readonly #workWords = make('span', { role: 'status' });
+  readonly #workShare = make('progress', { max: '1', 'aria-label': 'Preparing the model' });
   readonly #words = make('span');
+  readonly #actions: StatusActions;
 
   constructor(actions: StatusActions) {
-    this.#track.append(this.#bar);
-    const cancel = cross('Cancel computing');
-    cancel.addEventListener('click', () => actions.cancel());
-    this.#progress = make(
-      'div',
-      { class: 'progress plate' },
-      this.#what,
-      this.#track,
-      this.#share,
-      this.#left,
-      cancel,
-    );
+    this.#actions = actions;
     const restart = make('button', { type: 'button' }, 'Compute all');
     restart.addEventListener('click', () => actions.restart());
     this.#partial = make('div', { class: 'partial plate', role: 'status' }, this.#words, restart);
@@ -61,9 +79,15 @@ export class StatusBar {
     stop.addEventListener('click', () => actions.cancelWork());
     const [workWords, workShare] = [this.#workWords, this.#workShare];
     this.#work = make('div', { class: 'work plate' }, workWords, workShare, stop);
-    this.element.append(this.#work, this.#progress, this.#partial);
+    this.#runList.append(new Run('', () => undefined).element);
+    this.element.append(this.#work, this.#runList, this.#partial);
     this.clear();
     this.endWork();
+  }
+
+  /** The plates that lie on the surface. */
+  get plates(): HTMLElement[] {
+    return [this.#work, ...[...this.#runs.values()].map(({ element }) => element), this.#partial];
   }
 
   /** Says what is being done to a model, and how much of it, until `endWork`. */
@@ -77,26 +101,43 @@ export class StatusBar {
     this.#work.hidden = true;
   }
 
-  /** `title` is what is computed. */
-  showProgress(title: string, fraction: number, secondsLeft: number | undefined): void {
+  /** Shows a computation in work, until `end` with its key. */
+  showProgress(
+    key: string,
+    title: string,
+    fraction: number,
+    secondsLeft: number | undefined,
+  ): void {
     this.#partial.hidden = true;
-    this.#progress.hidden = false;
-    this.#what.textContent = title;
-    this.#track.setAttribute('aria-label', `Computing: ${title}`);
-    this.#bar.style.transform = `scaleX(${fraction.toFixed(4)})`;
-    this.#track.setAttribute('aria-valuenow', String(Math.round(100 * fraction)));
-    this.#share.textContent = percent(fraction);
-    this.#left.textContent = secondsLeft === undefined ? '' : `${formatSeconds(secondsLeft)} left`;
+    let run = this.#runs.get(key);
+    if (!run) {
+      for (const other of this.#runs.values()) other.forgetTime();
+      run = new Run(title, () => this.#actions.cancel(key));
+      if (this.#runs.size === 0) this.#runList.replaceChildren();
+      this.#runs.set(key, run);
+      this.#runList.append(run.element);
+    }
+    run.show(fraction, secondsLeft);
+    this.#runList.hidden = false;
+  }
+
+  /** A computation is over, whatever came of it. */
+  end(key: string): void {
+    const run = this.#runs.get(key);
+    this.#runs.delete(key);
+    this.#runList.hidden = this.#runs.size === 0;
+    // The last one stays, unseen: pages may look whether a bar is visible.
+    if (this.#runs.size > 0) run?.element.remove();
   }
 
   showPartial(title: string, fraction: number): void {
-    this.#progress.hidden = true;
     this.#partial.hidden = false;
     this.#words.textContent = `${title}, partial: ${percent(fraction)} of vertices`;
   }
 
   clear(): void {
-    this.#progress.hidden = true;
+    for (const key of this.#runs.keys()) this.end(key);
+    this.#runList.hidden = true;
     this.#partial.hidden = true;
   }
 }

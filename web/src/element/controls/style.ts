@@ -122,13 +122,13 @@ canvas:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: -
   position: absolute;
   inset-inline: 12px;
   inset-block-end: 12px;
-  block-size: 36px;
   display: flex;
-  align-items: center;
+  align-items: flex-end;
   gap: 12px;
   pointer-events: none;
 }
-.status > * { pointer-events: auto; }
+.status .plate { pointer-events: auto; }
+.runs:not([hidden]) { min-inline-size: 0; display: flex; flex-direction: column; align-items: flex-start; gap: 6px; }
 .progress { min-inline-size: 0; display: flex; align-items: center; gap: 4px 12px; padding-inline: 12px 4px; block-size: 36px; }
 .work { display: flex; align-items: center; gap: 4px 12px; padding-inline: 12px 4px; block-size: 36px; min-inline-size: 0; }
 .work span { white-space: nowrap; overflow: hidden; text-overflow: ellipsis; }
@@ -192,6 +192,19 @@ canvas:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: -
   pointer-events: none;
 }
 .leaders line { stroke: #ff7a45; stroke-width: 1.25; }
+.numbers { position: absolute; inset: 0; overflow: hidden; pointer-events: none; }
+.number-mark {
+  position: absolute;
+  inset: 0 auto auto 0;
+  padding: 1px 7px;
+  border-radius: 10px;
+  background: rgb(20 21 24 / 0.78);
+  color: #fff;
+  font-size: 12px;
+  font-weight: 600;
+  white-space: nowrap;
+}
+.number-mark.behind { opacity: 0.35; }
 .tag.behind { opacity: 0.7; }
 .tag i { font-style: normal; color: #ffb08a; margin-inline-end: 6px; font-weight: 650; }
 .tag b:not(:empty) { margin-inline-end: 8px; font-weight: 600; }

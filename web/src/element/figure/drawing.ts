@@ -30,6 +30,13 @@ export interface Drawing {
   title: string;
   /** How long the scale bar is, in model units, for at most so many pixels. */
   barLength(this: void, most: number, scale: number, format: FigureParts['format']): number;
+  /** Its words. */
+  barWords(
+    this: void,
+    length: number,
+    format: FigureParts['format'],
+    lengthWords: FigureParts['lengthWords'],
+  ): string;
 }
 
 const usualWidth = 85;
@@ -61,7 +68,7 @@ const pathOf = (strokes: readonly Stroke[]): string =>
 
 /** The drawing as a file's content. */
 export function drawingSvg(
-  { scene, lines, parts, width, height, title, barLength }: Drawing,
+  { scene, lines, parts, width, height, title, barLength, barWords }: Drawing,
   { width: paper = usualWidth, labels = true, scaleBar = true }: DrawingOptions,
 ): string {
   /** CSS pixels of a millimetre on paper. */
@@ -102,17 +109,11 @@ export function drawingSvg(
   if (scaleBar) {
     const { scale, format, lengthWords } = parts;
     const length = barLength(0.3 * width, scale, format);
-    const decimals = Math.max(0, -Math.floor(Math.log10(length * format.scale) + 1e-9));
     const [right, bottom] = [width - 2 * unit, height - 2 * unit];
     const left = right - length * scale;
     words.push(
       `<path d="M${short(left)} ${short(bottom)}H${short(right)}" stroke="${ink}" stroke-width="${of(0.6)}"/>\n`,
-      text(
-        (left + right) / 2,
-        bottom - unit,
-        lengthWords(length, { ...format, decimals }),
-        ' text-anchor="middle"',
-      ),
+      text(right, bottom - unit, barWords(length, format, lengthWords), ' text-anchor="end"'),
     );
   }
   const size = `width="${paper}mm" height="${short((paper * height) / width)}mm"`;

@@ -9,7 +9,7 @@ export interface FigureOptions {
   legend?: boolean;
   /** A round length, true at the distance of what the camera looks at. Default: false. */
   scaleBar?: boolean;
-  /** Nothing behind the surface, rather than the element's paper. Default: true without a legend. */
+  /** Nothing behind the surface, not even its shadow, rather than the element's paper. Default: true without a legend. */
   transparent?: boolean;
   /** The width in pixels. Default: as on the screen. */
   width?: number;
@@ -36,6 +36,10 @@ export function sizeOf({ width, millimetres, dotsPerInch }: FigureOptions): {
   return { width: Math.round((millimetres / millimetresPerInch) * density), dotsPerInch: density };
 }
 
+/** Whether there is nothing behind the surface. */
+export const isTransparent = ({ transparent, legend }: FigureOptions): boolean =>
+  transparent ?? !legend;
+
 export interface FigureParts {
   legend: LegendContent | undefined;
   /** The tags with their places on the element, in CSS pixels. */
@@ -49,6 +53,8 @@ export interface FigureParts {
 
 const margin = 16;
 const labelHeight = 22;
+/** A label is so far from the end of its leader at least. */
+const leastLeader = 6;
 /** The height of letters, in units of the context, and on paper at least, in points. */
 const letters = 13;
 const smallestLetters = 7;
@@ -66,8 +72,8 @@ export function figure(
   const context = whole.getContext('2d')!;
   const css = getComputedStyle(element);
   const colour = (name: string): string => css.getPropertyValue(name).trim();
-  const isTransparent = options.transparent ?? !options.legend;
-  if (!isTransparent) {
+  const isClear = isTransparent(options);
+  if (!isClear) {
     context.fillStyle = colour('--girth-paper');
     context.fillRect(0, 0, whole.width, whole.height);
   }
@@ -81,8 +87,8 @@ export function figure(
   const shrink = ratio / zoom;
   const family = css.fontFamily || 'sans-serif';
   // Ink on a transparent ground is that for white paper.
-  const ink = isTransparent ? '#1c1d21' : colour('--girth-ink');
-  const quiet = isTransparent ? '#5d6069' : colour('--girth-quiet');
+  const ink = isClear ? '#1c1d21' : colour('--girth-ink');
+  const quiet = isClear ? '#5d6069' : colour('--girth-quiet');
   context.font = `${letters}px ${family}`;
   if (options.legend) {
     if (parts.legend) {
@@ -97,17 +103,37 @@ export function figure(
     }
     for (const { words, x, y, end } of parts.labels) {
       const wide = context.measureText(words).width + 20;
-      drawLabel(context, words, wide, {
-        // Larger than on the screen, it stays within the picture.
-        x: Math.max(0, Math.min(x * shrink, width - wide)),
-        y: Math.max(0, Math.min(y * shrink, height - labelHeight)),
-        end: { x: end.x * shrink, y: end.y * shrink },
-      });
+      const to = { x: end.x * shrink, y: end.y * shrink };
+      const room = { width: width - wide, height: height - labelHeight };
+      const [left, top] = besideEnd(to, { x: x * shrink, y: y * shrink }, wide, room);
+      drawLabel(context, words, wide, { x: left, y: top, end: to });
     }
   }
   const scaled = { ...parts, scale: parts.scale * shrink };
   if (options.scaleBar) drawScaleBar(context, scaled, ink, width - margin, height - margin);
   return whole;
+}
+
+/**
+ * The left top corner of a label: within the picture, as it is larger there than on the screen, and off the end of its
+ * leader. `room`: the greatest left and top.
+ */
+function besideEnd(
+  end: { x: number; y: number },
+  corner: { x: number; y: number },
+  wide: number,
+  room: { width: number; height: number },
+): [left: number, top: number] {
+  const within = (value: number, most: number): number => Math.max(0, Math.min(value, most));
+  const [left, top] = [within(corner.x, room.width), within(corner.y, room.height)];
+  const isClear =
+    end.x < left - leastLeader ||
+    end.x > left + wide + leastLeader ||
+    end.y < top - leastLeader ||
+    end.y > top + labelHeight + leastLeader;
+  if (isClear) return [left, top];
+  const above = end.y - labelHeight - 2 * leastLeader;
+  return [left, above >= 0 ? above : within(end.y + 2 * leastLeader, room.height)];
 }
 
 function drawLabel(
@@ -141,6 +167,18 @@ export function scaleBarLength(most: number, scale: number, format: LengthFormat
   return first / format.scale;
 }
 
+/** The length of a scale bar in words; `decimals` are those of a round length. */
+export function scaleBarWords(
+  length: number,
+  format: LengthFormat,
+  lengthWords: FigureParts['lengthWords'],
+): string {
+  const decimals = Math.max(0, -Math.floor(Math.log10(length * format.scale) + 1e-9));
+  const words = lengthWords(length, { ...format, decimals });
+  if (format.unit !== '') return words;
+  return `${words} ${words === '1' ? 'unit' : 'units'} of the file`;
+}
+
 function drawScaleBar(
   context: CanvasRenderingContext2D,
   { scale, format, lengthWords }: FigureParts,
@@ -154,7 +192,9 @@ function drawScaleBar(
   context.fillRect(right - width, bottom - 3, width, 3);
   context.textBaseline = 'bottom';
   context.textAlign = 'center';
-  const decimals = Math.max(0, -Math.floor(Math.log10(length * format.scale) + 1e-9));
-  context.fillText(lengthWords(length, { ...format, decimals }), right - width / 2, bottom - 7);
+  const words = scaleBarWords(length, format, lengthWords);
+  // The words may be wider than the bar: they stay within the picture.
+  const half = Math.max(width, context.measureText(words).width) / 2;
+  context.fillText(words, right - half, bottom - 7);
   context.textAlign = 'start';
 }

@@ -256,10 +256,12 @@ export class Fields {
     state?.running?.abort.abort();
   }
 
-  /** Stops every computation; what there is stays. */
-  cancel(): void {
-    this.#keeping?.abort.abort();
-    for (const { running } of this.#states.values()) running?.abort.abort();
+  /** Stops every computation, or those of one field; what there is stays. */
+  cancel(name?: string): void {
+    if (name === undefined || name === 'igf') this.#keeping?.abort.abort();
+    for (const state of this.#states.values()) {
+      if (name === undefined || name === state.name) state.running?.abort.abort();
+    }
   }
 
   async #run(state: FieldState, abort: AbortController): Promise<Field> {
@@ -333,6 +335,8 @@ export class Fields {
     return this.#mesh.field(name, {
       signal,
       persistence: this.persistence,
+      // The girth is computed unasked: what is asked for goes first.
+      urgent: name !== 'igf',
       ...(spectral ? { spectral } : {}),
       onProgress,
       ...this.#receiving(state, signal),

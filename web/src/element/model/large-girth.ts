@@ -1,7 +1,13 @@
 // The girth of surfaces with many triangles, computed on fewer and carried back.
 
 import { linked } from '../../kernel/page/abort.js';
-import type { Field, FieldOptions, Mesh, WatchedOptions } from '../../kernel/types/types.js';
+import type {
+  Field,
+  FieldOptions,
+  Mesh,
+  PartialField,
+  WatchedOptions,
+} from '../../kernel/types/types.js';
 import { formatCount, nextTask } from '../../view/index.js';
 
 /** Triangles that the girth is computed on first. */
@@ -11,6 +17,9 @@ const fewFaces = 2_000;
 
 /** So long exact values of some vertices are computed: then remeshing has the machine for itself. */
 const someMilliseconds = 2_000;
+
+/** The share of an exact value by which a carried one must differ to count as far off. */
+const far = 0.05;
 
 /** How the steps of the girth on fewer triangles share the progress. */
 const [remeshed, computed] = [0.5, 0.9];
@@ -33,17 +42,39 @@ export async function coarseGirth(
   });
   if (faceCount < fewFaces) return mesh.field('igf', { ...watched(0, 1), persistence });
   const faces = Math.min(mostCoarseFaces, Math.floor(faceCount / 4));
-  const stop = onPartial && someExact(mesh, { signal, onPartial, persistence });
+  const exact = new Map<number, number>();
+  const received = (partial: PartialField): void => {
+    partial.vertices.forEach((vertex, i) => exact.set(vertex, partial.values[i]!));
+    onPartial?.(partial);
+  };
+  const stop = onPartial && someExact(mesh, { signal, onPartial: received, persistence });
   const coarse = await mesh.remesh(faces, watched(0, remeshed)).finally(stop);
   try {
     const field = await coarse.field('igf', { ...watched(remeshed, computed), persistence });
     const { note, ...carried } = await coarse.carryField(field, signal ? { signal } : {});
     onProgress?.(1);
-    const where = `computed on ${formatCount(coarse.info.faceCount)} triangles`;
-    return { ...carried, note: note ? `${where}; ${note}` : where };
+    const words = [
+      `computed on ${formatCount(coarse.info.faceCount)} triangles`,
+      checkWords(carried.values, exact),
+      note,
+    ];
+    return { ...carried, note: words.filter(Boolean).join('; ') };
   } finally {
     coarse.dispose();
   }
+}
+
+/** How many of some exact values are near those that were carried over; '' where there is none to compare. */
+export function checkWords(carried: ArrayLike<number>, exact: ReadonlyMap<number, number>): string {
+  const pairs = [...exact].filter(
+    ([vertex, value]) => !Number.isNaN(value) && !Number.isNaN(carried[vertex]),
+  );
+  if (pairs.length === 0) return '';
+  const isFar = ([vertex, value]: [number, number]): boolean =>
+    Math.abs(carried[vertex]! - value) > far * value;
+  const near = pairs.length - pairs.filter(isFar).length;
+  const words = `${formatCount(near)} of ${formatCount(pairs.length)} exact values`;
+  return `${words} ${near === 1 ? 'is' : 'are'} within ${Math.round(100 * far)}%`;
 }
 
 /** Computes exact values of some vertices, until what it returns is called at the latest: first colours, long before others. */

@@ -23,7 +23,7 @@ export interface ShownContent {
   areas: Float64Array;
   /** The one field whose values are there. */
   field: Pick<Field, 'name' | 'values' | 'kinds' | 'unit' | 'method'> | undefined;
-  /** The loops that are there, each at the vertex `base`. */
+  /** The loops that are there, each at its point `base`. */
   loops: readonly Loop[];
 }
 
@@ -64,7 +64,8 @@ export function shownMesh(content: ShownContent): Mesh {
     field: (name: FieldName) =>
       content.field?.name === name ? Promise.resolve(wholeField(content.field)) : isNotThere(),
     loop: (point) => {
-      const found = content.loops.find(({ base }) => base === point);
+      const wanted = JSON.stringify(point);
+      const found = content.loops.find(({ base }) => JSON.stringify(base) === wanted);
       return found ? Promise.resolve(found) : isNotThere();
     },
     vertexAreas: () => Promise.resolve(content.areas),

@@ -33,6 +33,8 @@ const outlinePoints = 24;
 const cell = 8;
 /** Milliseconds from one look for room to the next while the surface moves. */
 const restTime = 120;
+/** The share of a loop's length by which the colour at its point must differ to be told. */
+const apart = 0.02;
 /** CSS pixels that one key press moves the probe. */
 const probeStep = 14;
 
@@ -177,7 +179,7 @@ export class LoopsOnSurface {
   setFormat(format: LengthFormat): void {
     this.#format = format;
     for (const pin of this.#pins) pin.tag.setFormat(format);
-    if (this.#hover) this.#readout.show(this.#hover.loop, format);
+    if (this.#hover) this.#read(this.#hover.loop);
     else this.#showLength();
   }
 
@@ -618,13 +620,20 @@ export class LoopsOnSurface {
     this.#hide();
     this.#hover = { loop, band: new LoopBand(loop, liveStyle) };
     this.#stage.add(this.#hover.band);
-    this.#readout.show(loop, this.#format);
+    this.#read(loop);
     this.#placeReadout();
     if (!this.#pointer && !this.#isQuiet) {
       const words = kindWords[loop.kind].sentence || 'Loop';
       this.#live.textContent = `${words} ${formatLength(loop.length, this.#format)}`;
     }
     this.#host.picked({ action: 'hover', loop });
+  }
+
+  /** Words on a loop; where the colours come from fewer triangles and differ from it, on these too. */
+  #read(loop: Loop): void {
+    const coloured = this.#lengthAt(loop.base) ?? loop.length;
+    const isApart = Math.abs(coloured - loop.length) > apart * loop.length;
+    this.#readout.show(loop, this.#format, isApart ? coloured : undefined);
   }
 
   #placeReadout(): void {

@@ -37,6 +37,7 @@ import {
 import { ColourRange, type Ends } from './colour-range.js';
 import type { CombinedField } from '../model/combined-field.js';
 import type { FieldState } from '../model/fields.js';
+import { methodOf } from '../model/girth-method.js';
 import type { GivenField } from '../model/given-fields.js';
 import type { Model } from '../model/model.js';
 import type { RangeChoice } from '../attributes/parse.js';
@@ -435,7 +436,8 @@ export class Shading {
     const widen = range[1] - range[0] < least ? least : 0;
     surface.setColormap(colormap);
     surface.setRange(range[0] - widen, range[1] + widen);
-    surface.setIsolines(isolines, name === 'igf' ? steepestGirth : Infinity);
+    const steepest = name === 'igf' ? steepestGirth : Infinity;
+    surface.setIsolines(isolines, steepest, this.#isCarried(name));
     // There are no logarithms of 0 and below.
     const log = this.wishes.log && range[0] > 0;
     surface.setLog(log);
@@ -533,13 +535,23 @@ export class Shading {
     return `${words.filter(Boolean).join(', ')} in ${percent}% of the surface`;
   }
 
+  /** Whether values were carried over from fewer triangles, which do not tell where a jump is. */
+  #isCarried(name: ShownName): boolean {
+    if (name !== 'igf') return false;
+    const { field, preview } = this.#knownOf(name);
+    const computed = this.#model.fields.get('igf')?.field;
+    if (field) return computed !== undefined && methodOf(computed) === 'coarse';
+    return preview?.isLent === true;
+  }
+
   /** A note on the values: that of the core, and the meaning of grey. */
   #noteOf(name: ShownName): string {
     if (name === 'tips') return this.#tips?.made.tips.length === 0 ? 'no tips' : '';
     const source = name === 'parts' ? 'sdf' : name;
     const { field } = this.#knownOf(source);
     if (!field) return '';
-    const { note, withoutValue } = field;
+    const { withoutValue } = field;
+    const note = this.#isCarried(name) ? `${field.note}; striped near jumps` : field.note;
     if (withoutValue === 0) return note;
     if (note) return `${note} (grey)`;
     const vertices = withoutValue === 1 ? 'vertex' : 'vertices';

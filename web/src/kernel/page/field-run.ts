@@ -11,8 +11,8 @@ const reportMilliseconds = 40;
 /** Computes whole fields, one at a time. */
 export interface FieldEngine {
   /**
-   * Calls `run.add` with new values until all are there. Stops when `signal` fires. The promise settles
-   * when the workers are free again, which may be later.
+   * Calls `run.add` with new values until all are there. Stops when `signal` fires; another call goes on from there.
+   * The promise settles when the workers are free again, which may be later.
    */
   compute(
     surface: SurfaceSource,
@@ -35,6 +35,8 @@ export class FieldRun {
   readonly kinds: Uint8Array<ArrayBuffer>;
   readonly #options: FieldOptions;
   readonly #now: () => number;
+  /** 1 at vertices whose values have been added. */
+  readonly #added: Uint8Array<ArrayBuffer>;
   #done = 0;
   #progress = 0;
   #unreported: PartialField[] = [];
@@ -48,6 +50,7 @@ export class FieldRun {
   ) {
     this.values = new Float64Array(vertexCount).fill(NaN);
     this.kinds = new Uint8Array(hasKinds ? vertexCount : 0);
+    this.#added = new Uint8Array(vertexCount);
     this.#options = options;
     this.#now = now;
   }
@@ -56,10 +59,16 @@ export class FieldRun {
     return this.#done === this.values.length;
   }
 
+  /** 1 at vertices whose values have been added, one element a vertex; empty before the first. */
+  get known(): Uint8Array<ArrayBuffer> {
+    return this.#done > 0 ? this.#added.slice() : new Uint8Array(0);
+  }
+
   /** Adds finished values. No vertex comes twice. */
   add(partial: PartialField): void {
     partial.vertices.forEach((vertex, i) => {
       this.values[vertex] = partial.values[i]!;
+      this.#added[vertex] = 1;
     });
     partial.kinds.forEach((kind, i) => (this.kinds[partial.vertices[i]!] = kind));
     this.#done += partial.vertices.length;

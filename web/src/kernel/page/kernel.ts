@@ -30,6 +30,7 @@ import type {
 import { contentOf, sizeOf, type ContentAt } from './source.js';
 import type { SurfaceSource } from './surface-source.js';
 import { ThreadsEngine } from './threads-engine.js';
+import { Turns } from './turns.js';
 import type {
   CallOptions,
   CompareOptions,
@@ -78,7 +79,8 @@ export async function openKernel(
   });
   const comparing = new JobPool<StudiesOperations>(() => factory.studies());
   const pools = { models, spectral, comparing };
-  const interactive = new WorkerClient<SingleOperations>(() => factory.single());
+  const single = () => new WorkerClient<SingleOperations>(() => factory.single());
+  const interactive = single();
   const { contentAt, sharesMemory } = platform;
   if (options.mode === 'threads' && !sharesMemory) {
     warnOnce(
@@ -101,7 +103,17 @@ export async function openKernel(
     if (host && !hostFailure) {
       const engine = new ThreadsEngine(host, threads);
       void interactive.start().catch(() => undefined);
-      return new KernelOfWorkers('threads', threads, pools, interactive, [host], engine, contentAt);
+      const workers = [host];
+      return new KernelOfWorkers(
+        'threads',
+        threads,
+        pools,
+        interactive,
+        workers,
+        engine,
+        contentAt,
+        single,
+      );
     }
     if (hostFailure) {
       warnOnce(
@@ -115,14 +127,11 @@ export async function openKernel(
     throw error;
   }
 
-  const pool = Array.from(
-    { length: threads },
-    () => new WorkerClient<SingleOperations>(() => factory.single()),
-  );
+  const pool = Array.from({ length: threads }, single);
   // They load while the page fetches its model. A failure is reported when they are needed.
   for (const worker of [interactive, ...pool]) void worker.start().catch(() => undefined);
   const engine = new PoolEngine(pool);
-  return new KernelOfWorkers('pool', threads, pools, interactive, pool, engine, contentAt);
+  return new KernelOfWorkers('pool', threads, pools, interactive, pool, engine, contentAt, single);
 }
 
 function threadsOf(wanted: number | 'auto' = 'auto', cores: number): number {
@@ -160,8 +169,9 @@ export class KernelOfWorkers implements Kernel, MeshHost {
   readonly #loops: LoopQueue;
   readonly #contentAt: ContentAt;
   readonly #life = new AbortController();
-  /** Settles when the workers have finished the latest field. */
-  #fields: Promise<unknown> = Promise.resolve();
+  readonly #turns = new Turns();
+  /** Makes a worker for urgent fields while all others do what cannot pause. */
+  readonly #aside: () => WorkerClient<SingleOperations>;
 
   static {
     checkCalls(this.prototype, callOptionNames.Kernel);
@@ -175,7 +185,9 @@ export class KernelOfWorkers implements Kernel, MeshHost {
     computing: readonly AnyWorker[],
     engine: FieldEngine,
     contentAt: ContentAt,
+    aside: () => WorkerClient<SingleOperations>,
   ) {
+    this.#aside = aside;
     this.mode = mode;
     this.threads = threads;
     this.#pools = pools;
@@ -220,7 +232,7 @@ export class KernelOfWorkers implements Kernel, MeshHost {
   ): Promise<Omit<Field, 'unit'>> {
     const run = new FieldRun(surface.arrays.positions.length / 3, hasKinds(request), options);
     return this.#work([options.signal, surface.life], async (signal) => {
-      await this.#compute(surface, request, run, signal, options.signal);
+      await this.#compute(surface, request, run, signal, options);
       const { values, kinds } = run;
       const { range, withoutValue } = summaryOf(values);
       const about = await this.#interactive.requestOn(surface, 'about', {
@@ -242,24 +254,58 @@ export class KernelOfWorkers implements Kernel, MeshHost {
   ): Promise<BarcodeRun> {
     const run = new BarcodeRun(surface.arrays.positions.length / 3, options);
     return this.#work([options.signal, surface.life], async (signal) => {
-      await this.#compute(surface, barcodeRequest(maxPersistence), run, signal, options.signal);
+      await this.#compute(surface, barcodeRequest(maxPersistence), run, signal, options);
       return run;
     });
   }
 
-  /** Computes a field when those before it are finished. `asked`: the signal of who has asked for it. */
+  /** Computes a field in its turn. `asked`: the signal of who has asked for it. */
   async #compute(
     surface: SurfaceSource,
     request: FieldRequest,
     run: FieldRun,
     signal: AbortSignal,
-    asked: AbortSignal | undefined,
+    { signal: asked, urgent = false }: FieldOptions,
   ): Promise<void> {
     // An aborted caller keeps what is finished; a disposed mesh does not.
     signal.addEventListener('abort', () => {
       if (asked?.aborted && !surface.life.aborted) run.flush();
     });
-    await this.#inTurn(signal, () => this.#engine.compute(surface, request, run, signal));
+    if (urgent && this.#turns.isHeld) return this.#computeAside(surface, request, run, signal);
+    for (let again = false; !run.complete; again = true) {
+      const turn = await this.#turns.take({ isUrgent: urgent, canPause: true }, again);
+      const either = linked([signal, turn.pause]);
+      try {
+        if (signal.aborted) throw cancelled();
+        await this.#engine.compute(surface, request, run, either.signal);
+      } catch (thrown) {
+        // A worker that took too long to pause has been ended: its part is computed again.
+        if (signal.aborted || !turn.pause.aborted) throw thrown;
+      } finally {
+        either.release();
+        turn.end();
+      }
+      if (signal.aborted) throw cancelled();
+      run.flush();
+    }
+  }
+
+  /** Computes a field with a worker of its own, beside what cannot pause. */
+  async #computeAside(
+    surface: SurfaceSource,
+    request: FieldRequest,
+    run: FieldRun,
+    signal: AbortSignal,
+  ): Promise<void> {
+    const worker = this.#aside();
+    const end = () => worker.terminate(cancelled());
+    signal.addEventListener('abort', end);
+    try {
+      await new PoolEngine([worker]).compute(surface, request, run, signal);
+    } finally {
+      signal.removeEventListener('abort', end);
+      end();
+    }
     if (signal.aborted) throw cancelled();
   }
 
@@ -273,18 +319,14 @@ export class KernelOfWorkers implements Kernel, MeshHost {
     return this.#work([asked, surface.life], async (signal) => {
       if (!engine.refined) return alone(signal);
       const onReport = progressOf(signal, onProgress);
-      return this.#inTurn(signal, () => engine.refined!(surface, request, onReport, signal));
+      const turn = await this.#turns.take({ isUrgent: false, canPause: false });
+      try {
+        if (signal.aborted) throw cancelled();
+        return await engine.refined(surface, request, onReport, signal);
+      } finally {
+        turn.end();
+      }
     });
-  }
-
-  /** Runs what all workers do, when what they were asked before is finished. */
-  #inTurn<T>(signal: AbortSignal, work: () => Promise<T>): Promise<T> {
-    const finished = this.#fields.then(() => {
-      if (signal.aborted) throw cancelled();
-      return work();
-    });
-    this.#fields = finished.catch(() => undefined);
-    return finished;
   }
 
   job<R>(

@@ -40,8 +40,10 @@ export class PoolEngine implements FieldEngine {
     run: FieldRun,
     signal: AbortSignal,
   ): Promise<void> {
-    const { order } = await this.#workers[0]!.requestOn(surface, 'order', {});
+    const whole = await this.#workers[0]!.requestOn(surface, 'order', {});
     if (signal.aborted) return;
+    const { known } = run;
+    const order = known.length > 0 ? whole.order.filter((v) => known[v] === 0) : whole.order;
     let next = 0;
     let failed = false;
 

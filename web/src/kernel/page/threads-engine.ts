@@ -33,9 +33,9 @@ export class ThreadsEngine implements FieldEngine {
     const onReport = (report: Report) => {
       if (!signal.aborted && 'partial' in report) run.add(report.partial);
     };
-    const threads = this.#threads;
+    const [threads, { known }] = [this.#threads, run];
     const answer = await this.#until(signal, surface, () =>
-      this.#worker.requestOn(surface, 'field', { field, threads }, { onReport }),
+      this.#worker.requestOn(surface, 'field', { field, known, threads }, { onReport }),
     );
     if (!signal.aborted && !(answer?.complete && run.complete)) {
       throw failure('INTERNAL', 'the threads left vertices without a value');

@@ -16,7 +16,8 @@ export const hints = {
   UNKNOWN_FORMAT: 'use GLB, glTF, OBJ, PLY, STL or OFF',
   MALFORMED_FILE: 'export the model again',
   UNSUPPORTED_FEATURE: 'export the model without that feature',
-  MISSING_RESOURCE: 'keep the files that the model refers to beside it',
+  MISSING_RESOURCE:
+    'keep the files that the model refers to beside it, and open all of them together',
   LIMIT_EXCEEDED: 'use a smaller model',
   CANCELLED: 'run it again to have the result',
   OUT_OF_MEMORY: 'use a smaller model or fewer threads',

@@ -34,6 +34,7 @@ export const callOptionNames: Readonly<
         'spectral.pairs',
         'spectral.time',
         'spectral.component',
+        'urgent',
         'onProgress',
         'signal',
         'persistence',

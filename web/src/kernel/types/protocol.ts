@@ -239,8 +239,14 @@ export interface StudyFields {
 
 /** The worker that hosts the module with threads. */
 export interface ThreadsOperations extends CommonOperations {
-  /** A field at all vertices. Reports each value once; answers early when the flag is set. */
-  field: [{ surface: number; field: FieldRequest; threads: number }, { complete: boolean }];
+  /**
+   * A field at all vertices but those with a 1 in `known`; empty: none is known. Reports each value once; answers
+   * early when the flag is set.
+   */
+  field: [
+    { surface: number; field: FieldRequest; known: Uint8Array; threads: number },
+    { complete: boolean },
+  ];
   /** Fails with CANCELLED when the flag is set. */
   refinedGirth: [{ surface: number; request: RefinedRequest; threads: number }, FoundRefined];
 }

@@ -422,9 +422,10 @@ export interface Limb {
   /** Distance from the apex to the ring at its base, along the surface, in model units. */
   length: number;
   /**
-   * The least girth of loops round the limb, from the tip's contour to the base, in model units: of the
-   * shortest neck, otherwise on the ring at one of these ends, or where loops slip off between them.
-   * Exact, but not proven to be least between two stations. NaN where there is none.
+   * The least girth of loops round the limb, from the end of its cap to the base, in model units: of the
+   * shortest neck, otherwise on the ring at one of these ends, or where loops slip off between them. The
+   * cap ends at `middle` / π from the apex, as far as the limb is thick, or where the tip's contour is,
+   * if that is farther. Exact, but not proven to be least between two stations. NaN where there is none.
    */
   narrowest: number;
   /**
@@ -437,6 +438,11 @@ export interface Limb {
    * along half of the limb the girth is less.
    */
   median: number;
+  /**
+   * The least girth on the ring at half of `length`, in model units; NaN where no loop goes round the
+   * limb there.
+   */
+  middle: number;
   /** The least girth at the base, in model units; NaN for a limb that is its whole component. */
   base: number;
   /** Why it ends there. */

@@ -197,6 +197,12 @@ export interface FieldOptions extends WatchedOptions, FieldParameters {
   onPartial?: (partial: PartialField) => void;
   /** Options of 'hks', 'wks' and 'sihks'. */
   spectral?: SpectralOptions;
+  /**
+   * Whether the field is computed before all that are not urgent: one that is being computed pauses. No effect on 'hks',
+   * 'wks' and 'sihks', which have a worker of their own. Default: false.
+   * @experimental
+   */
+  urgent?: boolean;
 }
 
 /**

@@ -448,13 +448,16 @@ class Unpacking {
     } else {
       const name = percentDecoded(uri);
       if (!staysInside(name)) {
-        throw missing(place, `${shown(name)}, which is not a file beside the model`);
+        const what = `it refers to ${shown(name)}, which is not a file beside the model`;
+        throw failure('MISSING_RESOURCE', `${place}: ${what}`);
       }
       bytes = this.#resource(name);
       // Some exporters do not escape names, which may then contain a percent sign.
       if (name !== uri && staysInside(uri)) bytes ??= this.#resource(uri);
-      if (!bytes)
-        throw missing(place, `the file ${shown(name)}, which is missing beside the model`);
+      if (!bytes) {
+        const what = `the file ${shown(name)} is missing: the model refers to it`;
+        throw failure('MISSING_RESOURCE', what);
+      }
       this.#budget.allowFor(bytes.length);
     }
     this.#fetched.set(uri, bytes);
@@ -484,9 +487,6 @@ interface DracoSource {
 }
 
 const aligned = (size: number) => Math.ceil(size / 8) * 8;
-
-const missing = (place: string, what: string) =>
-  failure('MISSING_RESOURCE', `${place}: it refers to ${what}`);
 
 const shown = (name: string) => JSON.stringify(name.length > 60 ? `${name.slice(0, 57)}...` : name);
 

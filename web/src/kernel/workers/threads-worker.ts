@@ -42,9 +42,9 @@ serveRequests<ThreadsOperations>(surfaces, {
     return {};
   },
 
-  field({ surface, field, threads }, report) {
+  field({ surface, field, known, threads }, report) {
     const onPartial = (partial: FinishedValues) => report({ partial });
-    return checked(surfaces.get(surface).field(field, threads, onPartial));
+    return checked(surfaces.get(surface).field(field, known, threads, onPartial));
   },
 
   refinedGirth({ surface, request, threads }, report) {

@@ -162,6 +162,7 @@ declare module '*/girth-threads.mjs' {
   export interface Surface {
     field(
       field: import('../types/protocol.js').FieldRequest,
+      known: Uint8Array,
       threads: number,
       onPartial: (partial: import('../types/protocol.js').FinishedValues) => void,
     ): { complete: boolean } | Failed;
