@@ -150,6 +150,6 @@ test('wrinkles are ignored on few triangles at once', async () => {
   );
   await page
     .locator('.method [role=status]')
-    .getByText('Computed on 768 triangles.', { exact: true })
+    .getByText(/^Computed on 768 triangles(; \d+ of \d+ exact values (is|are) within 5%)?\.$/)
     .waitFor();
 });

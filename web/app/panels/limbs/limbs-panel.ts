@@ -11,7 +11,7 @@ import { LimbAxisProfile } from './limb-axis.js';
 import { Draft } from '../../widgets/draft.js';
 import { plural } from '../../model/model-words.js';
 import type { PagePlot } from '../../export/page-plot.js';
-import { Panel } from '../../widgets/panel.js';
+import type { Panel } from '../../widgets/panel.js';
 import { PanelSearch } from '../../widgets/panel-search.js';
 import { stemOf } from '../../export/save-file.js';
 import { TableActions } from '../../widgets/table-actions.js';
@@ -57,7 +57,7 @@ interface Row {
 }
 
 export class LimbsPanel {
-  readonly panel = new Panel('limbs-panel');
+  readonly panel: Panel;
   readonly #caption = make('caption');
   readonly #body = make('tbody');
   readonly #table: HTMLTableElement;
@@ -75,7 +75,8 @@ export class LimbsPanel {
   readonly #viewer: GirthViewer;
   readonly #store: Store;
 
-  constructor(viewer: GirthViewer, store: Store) {
+  constructor(viewer: GirthViewer, store: Store, panel: Panel) {
+    this.panel = panel;
     this.#viewer = viewer;
     this.#store = store;
     const heads = measures.map((name) =>
@@ -142,6 +143,7 @@ export class LimbsPanel {
       this.#point(vertex);
     });
     this.clear();
+    if (panel.isOpen) this.#search.start();
   }
 
   /** Another model, or another girth, to be measured anew. */

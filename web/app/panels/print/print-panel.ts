@@ -17,11 +17,11 @@ import { failureWords } from '../../widgets/failure-words.js';
 import { LengthInput } from '../../widgets/length-input.js';
 import { namedScale, scaleWords, tallWords } from '../../model/model-size.js';
 import { modelFacts, plural } from '../../model/model-words.js';
-import { Panel } from '../../widgets/panel.js';
+import type { Panel } from '../../widgets/panel.js';
 import { PlaceList } from '../../widgets/place-list.js';
 import { printPresets } from './print-presets.js';
 import type { PrintReport, ReportedPlace } from './print-report.js';
-import { answerWords, measureNames, uncheckedWords } from './print-words.js';
+import { answerWords, creaseWords, measureNames, uncheckedWords } from './print-words.js';
 import { saveFile, stemOf } from '../../export/save-file.js';
 import { type ModelScale, SizeChoice } from '../../model/size-choice.js';
 import { explains } from '../../help/term.js';
@@ -30,6 +30,7 @@ import type { Store } from '../../state/store.js';
 /** Places that get a picture in the list, and in the report. */
 const picturedPlaces = 12;
 const reportedPlaces = 60;
+const listedCreases = 100;
 /** The categories that colour the surface once it is checked. */
 const kinds: readonly Category[] = [
   { name: 'thick enough', colour: '#cfd0d3', hatched: false },
@@ -48,7 +49,7 @@ interface Checked {
 }
 
 export class PrintPanel {
-  readonly panel = new Panel('print-panel');
+  readonly panel: Panel;
   readonly #size: SizeChoice;
   readonly #preset = make('select', { id: 'print-preset' });
   readonly #presetDraft: Draft;
@@ -66,6 +67,15 @@ export class PrintPanel {
   readonly #remedy = make('p', { class: 'buttons' }, this.#grow);
   readonly #cautions = make('ul', { class: 'cautions' });
   readonly #list = new PlaceList('Places that are too thin');
+  readonly #creaseList = make('ul', { class: 'creases' });
+  readonly #creaseCount = make('h3');
+  readonly #creases = make(
+    'section',
+    { 'aria-label': 'Creases' },
+    this.#creaseCount,
+    make('p', { class: 'hint' }, 'No wall is thin there: creases do not fail.'),
+    this.#creaseList,
+  );
   readonly #reports: HTMLElement;
   #checked: Checked | undefined;
   /** A caution about the thickness; '' for none. */
@@ -80,7 +90,15 @@ export class PrintPanel {
   readonly #viewer: GirthViewer;
   readonly #store: Store;
 
-  constructor(viewer: GirthViewer, store: Store, model: ModelScale, coloured: () => void) {
+  /** `panel`: what is drawn in. `coloured`: called when places colour the surface, or no longer. */
+  constructor(
+    viewer: GirthViewer,
+    store: Store,
+    panel: Panel,
+    model: ModelScale,
+    coloured: () => void,
+  ) {
+    this.panel = panel;
     this.#hasColoured = coloured;
     this.#viewer = viewer;
     this.#store = store;
@@ -146,6 +164,7 @@ export class PrintPanel {
       form,
       this.#reports,
       this.#list.element,
+      this.#creases,
     );
     this.panel.onToggle((isOpen) => {
       if (isOpen) this.#refresh();
@@ -157,6 +176,7 @@ export class PrintPanel {
       if (name === this.#awaited) this.#shareBar.setAttribute('value', String(fraction));
     });
     this.clear(true);
+    this.#follow(store.shown);
   }
 
   get #inputs(): readonly LengthInput[] {
@@ -308,8 +328,9 @@ export class PrintPanel {
     this.#size.refresh();
     this.#cautions.replaceChildren(...this.#words().map((line) => make('li', {}, line)));
     this.#reports.hidden = !this.#checked;
-    const { places = [], passingScale = 0 } = this.#checked?.check ?? {};
+    const { places = [], creases = [], passingScale = 0 } = this.#checked?.check ?? {};
     this.#list.element.hidden = places.length === 0;
+    this.#creases.hidden = creases.length === 0;
     this.#remedy.hidden = places.length === 0 || !Number.isFinite(passingScale);
     this.#grow.textContent = `Make it ${scaleWords(passingScale)}${passingScale < 10 ? '' : ' as large'}`;
   }
@@ -426,7 +447,7 @@ export class PrintPanel {
     const [checked, viewer] = [this.#checked, this.#viewer];
     if (!checked) return;
     const { check, pictures } = checked;
-    const { places } = check;
+    const { places, creases } = check;
     const format = viewer.lengthFormat;
     this.#answer.className = `answer ${places.length > 0 ? 'fails' : 'passes'}`;
     const words = answerWords(check, checked.limits);
@@ -446,6 +467,15 @@ export class PrintPanel {
             made?.picture === undefined ? undefined : this.#image(checked, place, made.picture),
           choose: () => viewer.flyTo({ vertices: place.vertices }),
         };
+      }),
+    );
+    this.#creaseCount.textContent = plural(creases.length, 'crease', 'creases');
+    this.#creaseList.replaceChildren(
+      ...creases.slice(0, listedCreases).map(({ kind, length, vertices }) => {
+        const words = `${creaseWords[kind]}, ${formatLength(length, format)} long`;
+        const button = make('button', { type: 'button', class: 'more' }, words);
+        button.addEventListener('click', () => viewer.flyTo({ vertices }));
+        return make('li', {}, button);
       }),
     );
   }

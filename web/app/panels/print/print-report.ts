@@ -2,7 +2,13 @@
 
 import type { PrintCheck, PrintLimits, WeakPlace } from '../../../src/kernel/index.js';
 import { type LengthFormat, formatCount, formatLength } from '../../../src/element/plots.js';
-import { answerWords, limitWords, measureNames, uncheckedWords } from './print-words.js';
+import {
+  answerWords,
+  limitWords,
+  measureNames,
+  uncheckedWords,
+  creaseWords,
+} from './print-words.js';
 import { formatArea } from '../../widgets/area-words.js';
 
 export interface ReportedPlace {
@@ -110,7 +116,7 @@ export function printReportHtml(report: PrintReport): string {
         .slice(0, listedCreases)
         .map(
           ({ kind, length, area }) =>
-            `<tr><td>${kind}</td><td class="number">${escaped(formatLength(length, format))}</td><td class="number">${escaped(formatArea(area, format))}</td></tr>`,
+            `<tr><td>${creaseWords[kind]}</td><td class="number">${escaped(formatLength(length, format))}</td><td class="number">${escaped(formatArea(area, format))}</td></tr>`,
         )
         .join('\n')}</tbody>
     </table>`;

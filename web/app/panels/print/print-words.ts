@@ -7,6 +7,13 @@ import { ofSize } from '../../model/model-size.js';
 /** The name of the least length of a place, for each kind. */
 export const measureNames = { tube: 'diameter', wall: 'thickness', gap: 'clearance' } as const;
 
+/** The kinds of creases in words. */
+export const creaseWords = {
+  crease: 'sharp edge',
+  rounding: 'faces that touch, but for rounding',
+  sliver: 'sliver of the triangulation',
+} as const;
+
 /** 'tubes from a diameter of 3.00 mm, walls from a thickness of 1.00 mm, gaps from 0.50 mm'. */
 export function limitWords(limits: PrintLimits, format: LengthFormat): string {
   const words: string[] = [];
