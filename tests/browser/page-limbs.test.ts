@@ -141,6 +141,34 @@ test('measuring is stopped at once, and begins again when asked', async () => {
   expect(await panel.getByRole('button', { name: 'Cancel' }).isVisible()).toBe(false);
 });
 
+test('numbers stand on the surface, names that are typed take their place, and loops are called by them', async () => {
+  const marks = viewer.locator('.number-mark');
+  expect(await marks.count()).toBe(0);
+  await panel.locator('summary').click();
+  await rows().nth(1).waitFor();
+  await expect.poll(() => marks.allTextContents()).toEqual(['1', '2']);
+  const name = panel.getByRole('textbox', { name: 'Name of limb 2' });
+  await name.fill('ring finger');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => marks.allTextContents()).toEqual(['1', 'ring finger']);
+  await expect.poll(() => page.url()).toContain('limbNames=,ring%2520finger');
+  // A click on a plot pins the loop there.
+  const plot = plots().nth(1);
+  await plot.evaluate((element) => element.scrollIntoView({ block: 'center' }));
+  const box = (await plot.locator('.u-over').boundingBox())!;
+  await page.mouse.click(box.x + 0.5 * box.width, box.y + box.height / 2);
+  const names = () =>
+    viewer.evaluate((element: GirthViewer) => element.pinned.map(({ name }) => name));
+  await expect.poll(names).toEqual(['ring finger']);
+  await page.locator('#undo').click();
+  await page.locator('#undo').click();
+  await expect.poll(() => page.url()).not.toContain('limbNames=');
+  await expect.poll(() => marks.allTextContents()).toEqual(['1', '2']);
+  expect(await name.inputValue()).toBe('');
+  await panel.locator('summary').click();
+  await expect.poll(() => marks.count()).toBe(0);
+});
+
 test('the cursor of a plot moves the loop, and the pointer on the surface the cursor', async () => {
   await panel.locator('summary').click();
   await rows().nth(1).waitFor();

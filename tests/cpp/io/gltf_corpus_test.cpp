@@ -154,7 +154,7 @@ TEST_F(GltfCorpus, faultsAreNamedByTheirPlace) {
       {"accessor/unresolved_bufferviews.gltf", "/accessors/0/bufferView: "},
       {"accessor/unknown_type.gltf", "/accessors/0/type: "},
       {"accessor/invalid_sparse_count_and_stride.gltf", "/accessors/0/sparse/count: "},
-      {"buffer/not_found.gltf", "/buffers/0/uri: "},
+      {"buffer/not_found.gltf", "the file \"not_found.bin\" is missing: "},
       {"buffer/wrong_bytelength.glb", "/buffers/0/byteLength: "},
       {"buffer_view/unresolved_buffer.gltf", "/bufferViews/0/buffer: "},
       {"buffer_view/invalid_stride_multiple.gltf", "/bufferViews/0/byteStride: "},

@@ -7,7 +7,9 @@ import type { Model } from '../model/model.js';
 
 /** A word at a place. */
 export interface PlaceNumber {
+  /** A vertex, or a point of a face. */
   point: SurfacePoint;
+  /** A number, or a few letters. */
   text: string;
 }
 
