@@ -131,6 +131,14 @@ const showPrint = once(async () => {
   });
 });
 printing.onToggle(() => void showPrint());
+/** Panels that wait until the first surface is drawn; then they are there before somebody opens them. */
+async function fetchPanels(): Promise<void> {
+  await new Promise((drawn) => requestAnimationFrame(drawn));
+  await nextTask();
+  // A failure is met again where a panel is opened.
+  await Promise.allSettled([showPrint(), showLimbs()]);
+}
+viewer.addEventListener('load', () => void fetchPanels(), { once: true });
 const comparePanel = new Panel('compare-panel');
 let compared: ComparePanel | undefined;
 /** The comparison is fetched when its panel is opened, or several models are. */
