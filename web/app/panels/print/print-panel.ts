@@ -70,8 +70,8 @@ export class PrintPanel {
   readonly #creaseList = make('ul', { class: 'creases' });
   readonly #creaseCount = make('h3');
   readonly #creases = make(
-    'section',
-    { 'aria-label': 'Creases' },
+    'div',
+    { role: 'group', 'aria-label': 'Creases' },
     this.#creaseCount,
     make('p', { class: 'hint' }, 'No wall is thin there: creases do not fail.'),
     this.#creaseList,
