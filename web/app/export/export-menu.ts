@@ -205,8 +205,8 @@ export function offerExports(
   /** Asks first where colours are missing. */
   const askOrSave = async (): Promise<void> => {
     const name = viewer.shown?.name;
-    const isWhole = !name || !isFieldName(name) || viewer.shareOf(name) === 1;
-    if (isWhole || !(await partial()).asks()) await savePicture();
+    if (!name || !isFieldName(name) || viewer.shareOf(name) === 1) await savePicture();
+    else (await partial()).ask(name);
   };
   const picture = [
     entry('png', 'as it is now', askOrSave),

@@ -1,6 +1,7 @@
 // A question before a picture is saved whose colours are not all there.
 
 import { type GirthViewer, fieldTitle, isFieldName, make } from '../../src/element/index.js';
+import type { FieldName } from '../../src/kernel/index.js';
 import { failureWords } from '../widgets/failure-words.js';
 
 export class PartialColours {
@@ -23,18 +24,12 @@ export class PartialColours {
     this.element.append(this.#words, make('p', { class: 'buttons' }, wait, now));
   }
 
-  /** Asks where colours are missing; false where nothing is. */
-  asks(): boolean {
-    const viewer = this.#viewer;
-    const name = viewer.shown?.name;
-    if (!name || !isFieldName(name)) return false;
-    const share = viewer.shareOf(name);
-    if (share === 1) return false;
-    const percent = Math.min(99, Math.round(100 * share));
+  /** Asks about a field that is computed in part. */
+  ask(name: FieldName): void {
+    const percent = Math.min(99, Math.round(100 * this.#viewer.shareOf(name)));
     this.#words.textContent = `${fieldTitle(name)}: ${percent}% of the vertices are computed.`;
     this.element.hidden = false;
     this.element.scrollIntoView({ block: 'nearest' });
-    return true;
   }
 
   /** Forgets a question that was not answered; what is waited for stays. */

@@ -13,7 +13,7 @@ import type { Field } from '../../src/kernel/index.js';
 /** Attributes that a page without a kernel can show. */
 const shownAttributes = [
   ...(['colormap', 'range', 'log', 'isolines', 'edges', 'shading', 'up', 'section'] as const),
-  ...(['camera', 'pins', 'shown-unit', 'field-title'] as const),
+  ...(['camera', 'pins', 'shown-unit'] as const),
 ] satisfies readonly (keyof ViewerState)[];
 
 /** The name that a saved page has for values that are no field: it has no unit. */
@@ -77,7 +77,7 @@ export async function webPage(viewer: GirthViewer): Promise<string> {
     positions: await packed(new Float32Array(positions)),
     indices: await packed(new Uint32Array(indices)),
     boundary: await packed(new Uint32Array(boundary)),
-    areas: await packed(new Float64Array(await mesh.vertexAreas())),
+    areas: await packed(new Float64Array(await viewer.areas())),
     rows: null,
     field: field && {
       ...{ name: field.name, unit: field.unit, method: field.method },
@@ -101,8 +101,7 @@ export async function webPage(viewer: GirthViewer): Promise<string> {
   ];
   for (const key of shownAttributes) {
     const value = state[key];
-    if (key === 'field-title' || value === undefined) continue;
-    attributes.push([key, String(value)]);
+    if (value !== undefined) attributes.push([key, String(value)]);
   }
   const parts: Readonly<Record<string, string>> = {
     title: escaped(name || 'Girth'),

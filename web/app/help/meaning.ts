@@ -38,12 +38,15 @@ const jumpingWords =
  * rounding.
  */
 function jumps(girth: Float64Array, { positions, indices }: MeshGeometry): boolean {
-  const away = (u: number, v: number): number =>
-    Math.hypot(...[0, 1, 2].map((axis) => positions[3 * u + axis]! - positions[3 * v + axis]!));
   for (let i = 0; i < indices.length; ++i) {
-    const [u, v] = [indices[i]!, indices[i % 3 === 2 ? i - 2 : i + 1]!];
+    // Without lists: a surface may have millions of edges.
+    const u = indices[i]!;
+    const v = indices[i % 3 === 2 ? i - 2 : i + 1]!;
+    const x = positions[3 * u]! - positions[3 * v]!;
+    const y = positions[3 * u + 1]! - positions[3 * v + 1]!;
+    const z = positions[3 * u + 2]! - positions[3 * v + 2]!;
     const change = Math.abs(girth[u]! - girth[v]!);
-    if (change > 2.1 * away(u, v)) return true;
+    if (change > 2.1 * Math.sqrt(x * x + y * y + z * z)) return true;
   }
   return false;
 }

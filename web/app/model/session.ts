@@ -34,7 +34,7 @@ const asRead = {
 /** Whether two are the same surface: read from the same, and prepared in the same way. */
 export function isSameModel(one: Opened, other: Opened): boolean {
   const done = ({ source, model, prepare, remeshed, handles }: Opened): string =>
-    JSON.stringify([...[filesIn(source), model, prepare, remeshed?.faces, handles]]);
+    JSON.stringify([filesIn(source), model, prepare, remeshed?.faces, handles]);
   const isSameSource = one.source === other.source || filesIn(one.source) !== undefined;
   return isSameSource && done(one) === done(other);
 }
