@@ -34,7 +34,7 @@ struct Options {
   std::uint32_t faces{0};
   /// Even triangles, rather than those that keep the shape best.
   bool even{false};
-  /// Loops shorter than this are cut, as typed. Empty: none.
+  /// Handles and tunnels with a loop shorter than this are removed, as typed. Empty: none.
   std::string removeHandles;
   /// Steps; 0: none.
   Index smoothing{0};
@@ -72,15 +72,20 @@ void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMe
   std::printf("  area %s times the area before\n",
               readable(mesh.area() / loaded.mesh.area()).c_str());
   if (repaired) {
-    const auto counted = [&](HandleKind kind, const char* what, const char* done) {
-      const auto count = std::count_if(repaired->removed.begin(), repaired->removed.end(),
-                                       [&](const Handle& handle) { return handle.kind == kind; });
+    const auto counted = [&](HandleKind kind, bool isDropped, const char* what, const char* done) {
+      std::size_t count = 0;
+      for (const RemovedHandle& one : repaired->account()) {
+        count += one.kind == kind && (one.droppedArea > 0) == isDropped ? 1 : 0;
+      }
       return std::to_string(count) + " " + what + (count == 1 ? " " : "s ") + done;
     };
-    std::printf("  genus %u (before: %u): %s, %s", repaired->genusAfter, repaired->genusBefore,
-                counted(HandleKind::Handle, "handle", "cut").c_str(),
-                counted(HandleKind::Tunnel, "tunnel", "closed").c_str());
-    const std::string unknown = counted(HandleKind::Unknown, "loop", "of unknown kind cut");
+    std::printf("  genus %u (before: %u): %s, %s, %s, %s", repaired->genusAfter,
+                repaired->genusBefore,
+                counted(HandleKind::Handle, true, "handle", "dropped").c_str(),
+                counted(HandleKind::Handle, false, "handle", "cut").c_str(),
+                counted(HandleKind::Tunnel, true, "tunnel", "filled").c_str(),
+                counted(HandleKind::Tunnel, false, "tunnel", "closed").c_str());
+    const std::string unknown = counted(HandleKind::Unknown, false, "loop", "of unknown kind cut");
     std::printf("%s\n", unknown[0] == '0' ? "" : (", " + unknown).c_str());
     if (repaired->crossingFaces > 0) {
       std::printf("  no room: %u of the faces made or moved cross others\n",

@@ -13,11 +13,14 @@
 
 namespace girth {
 
-/// A handle or tunnel that was taken away: along its loop the surface was cut and closed.
+/// A handle or tunnel that was taken away.
 struct RemovedHandle {
   HandleKind kind{HandleKind::Handle};  ///< which of the two it was
   double length{0};                     ///< the length of its loop, in model units
   Vec3 centre;                          ///< mean of the loop's points, in model units
+  /// Area of its tube, which was dropped, in squared model units; 0 where the surface was cut along
+  /// the loop and closed.
+  double droppedArea{0};
 };
 
 /// A surface with fewer handles, and the account of what was done.
@@ -26,6 +29,9 @@ struct HandleRemoval {
   /// Loops that were cut along, in the order of the cuts: points of the surface as it was then.
   /// Each is the shortest round its handle, where `mayBeShorterBy` is 0, as in findHandles.
   std::vector<Handle> removed;
+  /// For each of them the area of its tube, which was dropped, in squared model units; 0 where the
+  /// surface was cut along the loop and closed.
+  std::vector<double> droppedAreas;
   Index genusBefore{0};  ///< genus of all components together
   Index genusAfter{0};   ///< genus of the surface that is left
   /// Faces that were made or moved and cross others, since there was no room for them; those of the
@@ -39,11 +45,17 @@ struct HandleRemoval {
   GIRTH_EXPORT std::vector<RemovedHandle> account() const;
 };
 
-/// Takes away every handle and tunnel with a loop shorter than a length: the surface is cut along
-/// the loop, and both rims are closed, each with the triangulation of least area. A handle then
-/// ends in two stubs; a tunnel is filled, with a film of material between its ends. Each rim is
-/// drawn back from the cut by a quarter of the way to its neighbours, so that its two sides do not
-/// touch. Away from the cuts no vertex is moved.
+/// Takes away every handle and tunnel with a loop shorter than a length. A small one loses its
+/// tube, the piece of surface round which its loop runs: the surface is cut at both ends of the
+/// tube, the tube is dropped, and the ends are closed. No stub is left of a handle, and a tunnel is
+/// filled. An end is where curves at equal distance from the loop double their length within half
+/// the loop's length: the tube meets the surface that it stands on. Small is a tube of at most 1/10
+/// of the area of its component. Round a larger one the surface is cut along the loop. A handle
+/// then ends in two stubs, and a tunnel gets a film of material between its ends.
+///
+/// Every rim is closed with the triangulation of least area. It is drawn back from the cut by a
+/// quarter of the way to its neighbours, so that its two sides do not touch. Away from the cuts no
+/// vertex is moved.
 ///
 /// Where triangles would lose their area, or a cap, or a face beside it, would cross another face,
 /// which is decided exactly, the rim is closed by the first of these that does not: drawn back by

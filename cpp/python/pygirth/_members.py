@@ -624,7 +624,7 @@ class PrintCheck(_Members):
 
 
 class RemovedHandle(_Members):
-    """A handle or tunnel that was taken away: along its loop the surface was cut and closed.
+    """A handle or tunnel that was taken away.
 
     Attributes
     ----------
@@ -636,11 +636,15 @@ class RemovedHandle(_Members):
         The length of its loop, in model units.
     centre : ndarray of float64, shape (3,)
         Mean of the loop's points, in model units.
+    dropped_area : float
+        Area of its tube, which was dropped, in squared model units; 0 where the surface was cut
+        along the loop and closed.
     """
 
     kind: str
     length: float
     centre: np.ndarray
+    dropped_area: float
 
 
 class HandleRemoval(_Members):

@@ -375,6 +375,11 @@ export class GirthViewer extends MeshCalls {
     this.core?.stage?.lookFrom(view);
   }
 
+  /** Towards the camera, of length 1, in the coordinates of the positions; undefined before the first model. */
+  get towardsEye(): [number, number, number] | undefined {
+    return this.core?.stage?.towardsEye;
+  }
+
   /** Moves the camera to where a place is seen well: smoothly, unless the system asks for less motion. */
   flyTo(place: PlaceOnSurface): void {
     const atOnce = window.matchMedia('(prefers-reduced-motion: reduce)').matches;

@@ -1,269 +1,25 @@
 #include "girth/remove_handles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "girth/cut_surface.h"
-#include "loops/cut/clear_cap.h"
+#include "loops/cut/closed_rims.h"
+#include "loops/handles/handle_tubes.h"
 #include "loops/handles/handles_up_to.h"
-#include "mesh/box.h"
-#include "mesh/crossing_faces.h"
-#include "mesh/vector.h"
 #include "part_of_work.h"
 
 namespace girth {
 namespace {
 
-/// How a rim is closed.
-struct Closing {
-  double share;  ///< share of the way to its neighbours by which it is drawn back
-  bool isClear;  ///< by triangles that cross nothing, rather than by those of least area
-};
-
-/// In the order in which they are tried.
-constexpr std::array kClosings{
-    Closing{0.25, false}, Closing{0.0625, false}, Closing{0.015625, false}, Closing{0, false},
-    Closing{0.25, true},  Closing{0.0625, true},  Closing{0.015625, true},  Closing{0, true}};
-
 Index genusOf(const SurfaceMesh& mesh) {
   Index genus = 0;
   for (Index c = 0; c < mesh.componentCount(); ++c) genus += mesh.genus(c);
   return genus;
-}
-
-/// The faces that a curve runs through or along.
-std::set<Index> facesAlong(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points) {
-  std::set<Index> faces;
-  const auto addAround = [&](Vertex vertex) {
-    const Halfedge first = mesh.outgoing(vertex);
-    for (Halfedge h = first;;) {
-      faces.insert(SurfaceMesh::faceOf(h));
-      const Halfedge next = mesh.twin(SurfaceMesh::previous(h));
-      if (next == first || next == Halfedge::none) break;
-      h = next;
-    }
-  };
-  for (const SurfacePoint& point : points) {
-    if (point.kind == SurfacePoint::Kind::InFace) {
-      faces.insert(point.element);
-    } else if (point.kind == SurfacePoint::Kind::AtVertex) {
-      addAround(point.vertex());
-    } else {
-      addAround(mesh.from(point.halfedge()));
-      addAround(mesh.to(point.halfedge()));
-    }
-  }
-  return faces;
-}
-
-/// A cut surface whose rims are drawn back and closed.
-class Rims {
- public:
-  explicit Rims(const CutSurface& cut) : cut_(cut), capOf_(cut.mesh.vertexCount(), kNoIndex) {
-    numberCaps();
-    findMoves();
-  }
-
-  std::size_t caps() const { return caps_; }
-
-  /// As said for each cap; one that no triangles close which cross nothing is left as it is. Error:
-  /// that of SurfaceMesh::fromArrays.
-  Result<SurfaceMesh> closedBy(std::span<const Closing> closings) const {
-    const SurfaceMesh& mesh = cut_.mesh;
-    std::vector<Vec3> places;
-    for (const Vertex v : mesh.vertices()) {
-      const double share = capOf_[v] == kNoIndex ? 0 : closings[capOf_[v]].share;
-      places.push_back(mesh.position(v) + share * moves_[v]);
-    }
-    std::vector<std::array<Vertex, 3>> faces;
-    for (const Face f : mesh.faces()) faces.push_back(mesh.faceVertices(f));
-    // Caps to be triangulated anew are not in each other's way before they are.
-    std::set<Index> pending;
-    for (Index cap = 0; cap < caps_; ++cap) {
-      if (closings[cap].isClear) pending.insert(cap);
-    }
-    while (!pending.empty()) {
-      triangulateClear(*pending.begin(), pending, places, faces);
-      pending.erase(pending.begin());
-    }
-    std::vector<double> positions;
-    std::vector<Index> triangles;
-    for (const Vec3& place : places) positions.insert(positions.end(), {place.x, place.y, place.z});
-    for (const auto& face : faces) triangles.insert(triangles.end(), face.begin(), face.end());
-    return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Boundary);
-  }
-
-  /// The faces of each cap of a surface drawn back, and faces that its rim moved, which cross
-  /// others; not faces that did so before.
-  std::vector<std::vector<Face>> crossing(const SurfaceMesh& drawn) const {
-    std::vector<Face> changed;
-    for (const Face f : drawn.faces()) {
-      if (!capsAt(f).empty()) changed.push_back(f);
-    }
-    const std::vector<std::pair<Face, Face>> now = crossingFaces(drawn, changed);
-    std::vector<Face> old;
-    for (const auto& [f, g] : now) {
-      if (!isNew(f) && !isNew(g)) old.push_back(f);
-    }
-    std::vector<std::pair<Face, Face>> before;
-    if (!old.empty()) before = crossingFaces(cut_.mesh, old);
-    std::vector<std::vector<Face>> result(caps_);
-    for (const auto& [f, g] : now) {
-      const bool areOld = !isNew(f) && !isNew(g);
-      if (areOld && std::binary_search(before.begin(), before.end(), std::pair{f, g})) continue;
-      for (const Face face : {f, g}) {
-        for (const Index cap : capsAt(face)) result[cap].push_back(face);
-      }
-    }
-    for (std::vector<Face>& faces : result) {
-      std::sort(faces.begin(), faces.end());
-      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    }
-    return result;
-  }
-
- private:
-  bool isNew(Face f) const { return cut_.faces[f] == Face::none; }
-
-  std::vector<Index> capsAt(Face f) const {
-    std::vector<Index> caps;
-    for (const Vertex v : cut_.mesh.faceVertices(f)) {
-      if (capOf_[v] != kNoIndex && std::find(caps.begin(), caps.end(), capOf_[v]) == caps.end()) {
-        caps.push_back(capOf_[v]);
-      }
-    }
-    return caps;
-  }
-
-  /// Replaces the faces of a cap by those of least area that cross none but of caps left out.
-  void triangulateClear(Index cap, const std::set<Index>& leftOut, std::span<const Vec3> places,
-                        std::vector<std::array<Vertex, 3>>& faces) const {
-    std::vector<Index> own;
-    std::vector<std::array<Vertex, 3>> before;
-    for (Index f = 0; f < faces.size(); ++f) {
-      if (!isNew(Face(f)) || capOf_[faces[f][0]] != cap) continue;
-      own.push_back(f);
-      before.push_back(faces[f]);
-    }
-    const std::vector<Vertex> polygon = loops::polygonOf(before);
-    if (polygon.empty()) return;
-    std::vector<Vec3> corners;
-    for (const Vertex v : polygon) corners.push_back(places[v]);
-    const Box room(corners);
-    std::vector<PlacedFace> others;
-    for (Index f = 0; f < faces.size(); ++f) {
-      const auto& [a, b, c] = faces[f];
-      if (isNew(Face(f)) && leftOut.count(capOf_[a]) > 0) continue;
-      const Triangle3 place{places[a], places[b], places[c]};
-      if (Box(place).overlaps(room)) others.push_back({faces[f], place});
-    }
-    const auto clear = loops::clearCap(polygon, places, others);
-    for (std::size_t i = 0; clear && i < own.size(); ++i) faces[own[i]] = (*clear)[i];
-  }
-
-  /// New faces that share a vertex are of one cap.
-  void numberCaps() {
-    const SurfaceMesh& mesh = cut_.mesh;
-    std::vector<std::vector<Face>> around(mesh.vertexCount());
-    for (const Face f : mesh.faces()) {
-      if (!isNew(f)) continue;
-      for (const Vertex v : mesh.faceVertices(f)) around[v].push_back(f);
-    }
-    for (const Vertex seed : mesh.vertices()) {
-      if (around[seed].empty() || capOf_[seed] != kNoIndex) continue;
-      capOf_[seed] = static_cast<Index>(caps_);
-      std::vector<Vertex> pending{seed};
-      while (!pending.empty()) {
-        const Vertex at = pending.back();
-        pending.pop_back();
-        for (const Face f : around[at]) {
-          for (const Vertex v : mesh.faceVertices(f)) {
-            if (capOf_[v] != kNoIndex) continue;
-            capOf_[v] = static_cast<Index>(caps_);
-            pending.push_back(v);
-          }
-        }
-      }
-      ++caps_;
-    }
-  }
-
-  /// The mean way from a vertex of a rim to its neighbours off the rim, and from the middle of a
-  /// cap that of the vertices round it.
-  void findMoves() {
-    const SurfaceMesh& mesh = cut_.mesh;
-    const auto isRim = [&](Vertex v) { return capOf_[v] != kNoIndex && v < cut_.points.size(); };
-    moves_.resize(mesh.vertexCount());
-    for (const bool isMiddle : {false, true}) {
-      std::vector<double> counts(mesh.vertexCount(), 0);
-      std::vector<Vec3> sums(mesh.vertexCount());
-      for (const Halfedge h : mesh.halfedges()) {
-        for (const auto& [v, to] :
-             {std::pair{mesh.from(h), mesh.to(h)}, {mesh.to(h), mesh.from(h)}}) {
-          if (isMiddle ? v < cut_.points.size() || !isRim(to)
-                       : !isRim(v) || isRim(to) || to >= cut_.points.size()) {
-            continue;
-          }
-          sums[v] = sums[v] + (isMiddle ? moves_[to] : mesh.position(to) - mesh.position(v));
-          counts[v] += 1;
-        }
-      }
-      for (const Vertex v : mesh.vertices()) {
-        if (counts[v] > 0) moves_[v] = (1 / counts[v]) * sums[v];
-      }
-    }
-  }
-
-  const CutSurface& cut_;
-  std::size_t caps_{0};
-  std::vector<Index> capOf_;  // caps by vertex of rims and caps
-  std::vector<Vec3> moves_;
-};
-
-/// A surface whose cuts are closed.
-struct Closed {
-  SurfaceMesh mesh;
-  Index crossingFaces{0};  // faces that there was no room for
-};
-
-/// Every rim closed by the first way in which triangles keep their area and cross nothing. Error:
-/// that of SurfaceMesh::fromArrays; CANCELLED.
-Result<Closed> closed(const CutSurface& cut, const ExecutionContext& context) {
-  const Rims rims(cut);
-  // For each cap, which of the closings; all begin with the first.
-  std::vector<std::size_t> tried(rims.caps(), 0);
-  std::vector<bool> isWithoutRoom(rims.caps(), false);
-  std::size_t first = 0;
-  while (true) {
-    if (context.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
-    std::vector<Closing> closings;
-    for (const std::size_t t : tried) closings.push_back(kClosings[t]);
-    auto drawn = rims.closedBy(closings);
-    if (!drawn) {
-      if (++first == kClosings.size()) return drawn.error();
-      for (std::size_t& t : tried) t = std::max(t, first);
-      continue;
-    }
-    const std::vector<std::vector<Face>> crossing = rims.crossing(drawn.value());
-    bool isChanged = false;
-    std::vector<Face> faces;
-    for (std::size_t cap = 0; cap < crossing.size(); ++cap) {
-      faces.insert(faces.end(), crossing[cap].begin(), crossing[cap].end());
-      if (crossing[cap].empty() || isWithoutRoom[cap]) continue;
-      isChanged = true;
-      isWithoutRoom[cap] = ++tried[cap] == kClosings.size();
-      // It crosses something anyway: drawn back, its two sides do not touch at least.
-      if (isWithoutRoom[cap]) tried[cap] = first;
-    }
-    if (isChanged) continue;
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    return Closed{std::move(drawn).value(), static_cast<Index>(faces.size())};
-  }
 }
 
 bool touchesBoundary(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points) {
@@ -279,7 +35,7 @@ std::vector<Handle> apart(const SurfaceMesh& mesh, const std::vector<Handle>& ha
   std::set<Index> taken;
   for (const Handle& handle : handles) {
     if (!(handle.length < length) || touchesBoundary(mesh, handle.points)) continue;
-    const std::set<Index> faces = facesAlong(mesh, handle.points);
+    const std::set<Index> faces = loops::facesAlong(mesh, handle.points);
     if (std::any_of(faces.begin(), faces.end(), [&](Index f) { return taken.count(f) > 0; })) {
       continue;
     }
@@ -289,12 +45,118 @@ std::vector<Handle> apart(const SurfaceMesh& mesh, const std::vector<Handle>& ha
   return chosen;
 }
 
+/// A cut surface without those of its pieces that are tubes, which are spheres once they are
+/// closed; nothing where one is none.
+std::optional<CutSurface> withoutTubes(const SurfaceMesh& uncut, CutSurface cut,
+                                       std::span<const std::optional<loops::HandleTube>> tubes,
+                                       std::vector<double>& areas) {
+  const SurfaceMesh& whole = cut.mesh;
+  std::vector<Index> insides(uncut.vertexCount(), kNoIndex);
+  for (std::size_t i = 0; i < tubes.size(); ++i) {
+    if (tubes[i]) insides[tubes[i]->inside] = static_cast<Index>(i);
+  }
+  std::vector<Index> tubeOf(whole.componentCount(), kNoIndex);
+  for (Index v = 0; v < cut.points.size(); ++v) {
+    const Vertex at = cut.points[v].vertex();
+    if (at == Vertex::none || insides[at] == kNoIndex) continue;
+    Index& tube = tubeOf[whole.componentOf(Vertex(v))];
+    if (tube != kNoIndex || whole.genus(whole.componentOf(Vertex(v))) > 0) return std::nullopt;
+    tube = insides[at];
+  }
+  const auto dropped =
+      tubes.size() - static_cast<std::size_t>(std::count(tubes.begin(), tubes.end(), std::nullopt));
+  if (whole.componentCount() != uncut.componentCount() + dropped) return std::nullopt;
+  areas.assign(tubes.size(), 0);
+  if (dropped == 0) return cut;
+  std::vector<Index> numbers(whole.vertexCount(), kNoIndex);
+  std::vector<double> positions;
+  std::vector<SurfacePoint> points;
+  std::vector<Face> faces;
+  Index count = 0;
+  for (const Vertex v : whole.vertices()) {
+    if (tubeOf[whole.componentOf(v)] != kNoIndex) continue;
+    numbers[v] = count++;
+    const Vec3& p = whole.position(v);
+    positions.insert(positions.end(), {p.x, p.y, p.z});
+    if (v < cut.points.size()) points.push_back(cut.points[v]);
+  }
+  std::vector<Index> triangles;
+  for (const Face f : whole.faces()) {
+    const auto corners = whole.faceVertices(f);
+    const Index tube = tubeOf[whole.componentOf(corners[0])];
+    if (tube != kNoIndex) {
+      if (cut.faces[f] != Face::none) areas[tube] += whole.area(f);
+      continue;
+    }
+    for (const Vertex v : corners) triangles.push_back(numbers[v]);
+    faces.push_back(cut.faces[f]);
+  }
+  auto mesh = SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Boundary);
+  if (!mesh) return std::nullopt;
+  return CutSurface{std::move(mesh).value(), std::move(points), std::move(faces)};
+}
+
+/// A surface without some of its handles.
+struct Step {
+  loops::ClosedRims closed;
+  std::vector<double> droppedAreas;  // 0 where the surface was cut along the loop
+};
+
+/// A surface without handles and tunnels: small ones lose the tubes that are given for them, along
+/// the loops of the others it is cut. Nothing where a tube is none. Errors: those of cutSurface.
+Result<std::optional<Step>> without(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
+                                    std::span<const std::optional<loops::HandleTube>> tubes,
+                                    const ExecutionContext& context) {
+  std::vector<SurfaceCurve> curves;
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    if (tubes[i]) {
+      curves.insert(curves.end(), tubes[i]->ends.begin(), tubes[i]->ends.end());
+    } else {
+      curves.push_back(handles[i].points);
+    }
+  }
+  auto cut = cutSurface(mesh, curves, {true, false}, {1, context.cancel, {}});
+  if (!cut) return cut.error();
+  std::vector<double> areas;
+  auto rest = withoutTubes(mesh, std::move(cut).value(), tubes, areas);
+  if (!rest) return std::optional<Step>();
+  auto closed = loops::closedRims(*rest, context);
+  if (!closed) return closed.error();
+  return std::optional<Step>({std::move(closed).value(), std::move(areas)});
+}
+
+/// Whether a surface was made that crosses itself nowhere anew.
+bool isClear(const Result<std::optional<Step>>& made) {
+  return made && made.value() && made.value()->closed.crossingFaces == 0;
+}
+
+/// The same with the tubes of all that are small, but those without which a surface is left that
+/// crosses itself. Errors are the same.
+Result<Step> without(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
+                     const ExecutionContext& context) {
+  auto tubes = loops::findHandleTubes(mesh, handles, context);
+  if (!tubes) return tubes.error();
+  auto dropped = without(mesh, handles, tubes.value(), context);
+  if (isClear(dropped)) return std::move(*dropped.value());
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    std::optional<loops::HandleTube>& tube = tubes.value()[i];
+    if (tube && !isClear(without(mesh, {handles[i]}, std::span(&tube, 1), context))) tube.reset();
+  }
+  dropped = without(mesh, handles, tubes.value(), context);
+  if (isClear(dropped)) return std::move(*dropped.value());
+  for (std::optional<loops::HandleTube>& tube : tubes.value()) tube.reset();
+  auto cut = without(mesh, handles, tubes.value(), context);
+  if (!cut) return cut.error();
+  return std::move(*cut.value());
+}
+
 }  // namespace
 
 std::vector<RemovedHandle> HandleRemoval::account() const {
   std::vector<RemovedHandle> handles;
-  for (const Handle& handle : removed) {
-    handles.push_back({handle.kind, handle.length, handle.centre});
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    const Handle& handle = removed[i];
+    handles.push_back({handle.kind, handle.length, handle.centre, droppedAreas[i]});
   }
   return handles;
 }
@@ -305,7 +167,7 @@ Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
     return makeError(ErrorCode::InvalidOption, -1,
                      "handles are removed up to a length of at least 0");
   }
-  HandleRemoval result{mesh, {}, genusOf(mesh), genusOf(mesh), 0, length};
+  HandleRemoval result{mesh, {}, {}, genusOf(mesh), genusOf(mesh), 0, length};
   while (true) {
     const double done = result.genusBefore == 0 ? 0
                                                 : 1 - static_cast<double>(result.genusAfter) /
@@ -319,21 +181,20 @@ Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
       result.provenLength = found.value().proven;
       break;
     }
-    std::vector<SurfaceCurve> curves;
-    for (const Handle& handle : chosen) curves.push_back(handle.points);
-    const auto cut = cutSurface(result.mesh, curves, {true, false}, {1, context.cancel, {}});
-    if (!cut) return cut.error();
-    auto made = closed(cut.value(), context);
-    if (!made) return made.error();
-    const Index genus = genusOf(made.value().mesh);
+    auto step = without(result.mesh, chosen, context);
+    if (!step) return step.error();
+    loops::ClosedRims& closed = step.value().closed;
+    const Index genus = genusOf(closed.mesh);
     if (genus >= result.genusAfter) {  // nothing is gained
       result.provenLength = 0;
       break;
     }
-    result.mesh = std::move(made.value().mesh);
-    result.crossingFaces += made.value().crossingFaces;
+    result.mesh = std::move(closed.mesh);
+    result.crossingFaces += closed.crossingFaces;
     result.genusAfter = genus;
     result.removed.insert(result.removed.end(), chosen.begin(), chosen.end());
+    result.droppedAreas.insert(result.droppedAreas.end(), step.value().droppedAreas.begin(),
+                               step.value().droppedAreas.end());
   }
   if (context.onProgress) context.onProgress(1);
   return result;

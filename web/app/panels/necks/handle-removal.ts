@@ -5,18 +5,46 @@ import type { Handle, HandleKind, HandleRemoval } from '../../../src/kernel/inde
 import { LengthInput } from '../../widgets/length-input.js';
 import { plural } from '../../model/model-words.js';
 
-const done: Record<HandleKind, (count: number) => string> = {
-  handle: (count) => `${plural(count, 'handle', 'handles')} cut`,
-  tunnel: (count) => `${plural(count, 'tunnel', 'tunnels')} closed`,
-  unknown: (count) => `${plural(count, 'loop', 'loops')} of unknown kind cut`,
-};
+/** In this order. Dropped: the tube of a handle or tunnel, which was small. */
+const done: { kind: HandleKind; isDropped: boolean; words: (count: number) => string }[] = [
+  {
+    kind: 'handle',
+    isDropped: true,
+    words: (count) => `${plural(count, 'handle', 'handles')} removed`,
+  },
+  {
+    kind: 'handle',
+    isDropped: false,
+    words: (count) => `${plural(count, 'handle', 'handles')} cut, too large to be removed whole`,
+  },
+  {
+    kind: 'tunnel',
+    isDropped: true,
+    words: (count) => `${plural(count, 'tunnel', 'tunnels')} filled`,
+  },
+  {
+    kind: 'tunnel',
+    isDropped: false,
+    words: (count) => `${plural(count, 'tunnel', 'tunnels')} closed`,
+  },
+  {
+    kind: 'unknown',
+    isDropped: true,
+    words: (count) => `${plural(count, 'loop', 'loops')} of unknown kind removed`,
+  },
+  {
+    kind: 'unknown',
+    isDropped: false,
+    words: (count) => `${plural(count, 'loop', 'loops')} of unknown kind cut`,
+  },
+];
 
 /** The result of a removal in words, without a full stop. */
 export function removalWords(removal: HandleRemoval): string {
   const { removed, genusBefore, genusAfter, crossingFaces } = removal;
-  const counts = (['handle', 'tunnel', 'unknown'] as const).map((kind) => {
-    const count = removed.filter((one) => one.kind === kind).length;
-    return count > 0 ? done[kind](count) : '';
+  const counts = done.map(({ kind, isDropped, words }) => {
+    const those = removed.filter((one) => one.kind === kind && one.droppedArea > 0 === isDropped);
+    return those.length > 0 ? words(those.length) : '';
   });
   const words = counts.filter((one) => one !== '').join(', ');
   const crossing =
@@ -88,7 +116,7 @@ export class HandleRemovalForm {
       this.#handles.length === 0
         ? ''
         : length === undefined
-          ? 'Short ones are mostly errors of a scan: a handle is cut, a tunnel is closed.'
+          ? 'Short ones are mostly errors of a scan: a handle is removed, a tunnel is filled.'
           : `${shorter} of these ${this.#handles.length} loops are shorter than ${formatLength(length, this.#viewer.lengthFormat)}.`;
   }
 }

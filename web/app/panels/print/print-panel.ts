@@ -21,6 +21,7 @@ import type { Panel } from '../../widgets/panel.js';
 import { PlaceList } from '../../widgets/place-list.js';
 import { printPresets } from './print-presets.js';
 import type { PrintReport, ReportedPlace } from './print-report.js';
+import { UncoveredPlace } from './uncovered-place.js';
 import { answerWords, creaseWords, measureNames, uncheckedWords } from './print-words.js';
 import { saveFile, stemOf } from '../../export/save-file.js';
 import { type ModelScale, SizeChoice } from '../../model/size-choice.js';
@@ -89,6 +90,7 @@ export class PrintPanel {
   #isToBeChecked = false;
   readonly #viewer: GirthViewer;
   readonly #store: Store;
+  readonly #uncovered: UncoveredPlace;
 
   /** `panel`: what is drawn in. `coloured`: called when places colour the surface, or no longer. */
   constructor(
@@ -102,6 +104,7 @@ export class PrintPanel {
     this.#hasColoured = coloured;
     this.#viewer = viewer;
     this.#store = store;
+    this.#uncovered = new UncoveredPlace(viewer, store);
     this.#size = new SizeChoice('print-', viewer, model);
     const ownNumbers = {
       changed: () => {
@@ -465,7 +468,7 @@ export class PrintPanel {
           detail: `${place.kind}${loop} · area ${formatArea(place.area, format)}`,
           picture:
             made?.picture === undefined ? undefined : this.#image(checked, place, made.picture),
-          choose: () => viewer.flyTo({ vertices: place.vertices }),
+          choose: () => void this.#uncovered.lookAt(place.vertices),
         };
       }),
     );
@@ -474,7 +477,7 @@ export class PrintPanel {
       ...creases.slice(0, listedCreases).map(({ kind, length, vertices }) => {
         const words = `${creaseWords[kind]}, ${formatLength(length, format)} long`;
         const button = make('button', { type: 'button', class: 'more' }, words);
-        button.addEventListener('click', () => viewer.flyTo({ vertices }));
+        button.addEventListener('click', () => void this.#uncovered.lookAt(vertices));
         return make('li', {}, button);
       }),
     );

@@ -809,7 +809,7 @@ export interface GirthAudit {
 }
 
 /**
- * A handle or tunnel that was taken away: along its loop the surface was cut and closed.
+ * A handle or tunnel that was taken away.
  *
  * @experimental
  */
@@ -820,6 +820,11 @@ export interface RemovedHandle {
   length: number;
   /** Mean of the loop's points, in model units. */
   centre: [number, number, number];
+  /**
+   * Area of its tube, which was dropped, in squared model units; 0 where the surface was cut along the
+   * loop and closed.
+   */
+  droppedArea: number;
 }
 
 /**
