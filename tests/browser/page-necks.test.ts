@@ -521,14 +521,20 @@ test('what the triangles make is not listed, and short handles are taken away an
     return { faces: info!.faceCount, girth: [...(await element.fieldOf('igf')).values] };
   });
   await remove.click();
-  await panel.getByText('Done: 1 handle cut; genus 1 before, 0 now.').waitFor({ timeout: 60_000 });
+  await panel
+    .getByText('Done: 1 handle cut, too large to be removed whole; genus 1 before, 0 now.')
+    .waitFor({ timeout: 60_000 });
   await fieldComplete(viewer);
   await expect.poll(() => fragment(page)).toContain('handles=');
   expect(await viewer.evaluate((element: GirthViewer) => element.info!.genus)).toEqual([0]);
   await panel.getByText('No handle and no tunnel').waitFor({ timeout: 60_000 });
   await picture(page, 'page-handles-removed.png');
   await page.locator('#details-open').click();
-  await page.getByText('Short handles removed: 1 handle cut; genus 1 before, 0 now').waitFor();
+  await page
+    .getByText(
+      'Short handles removed: 1 handle cut, too large to be removed whole; genus 1 before, 0 now',
+    )
+    .waitFor();
   await page.keyboard.press('Escape');
 
   const genusIs = (genus: number) =>

@@ -82,6 +82,63 @@ test('a model of one unit: its size is questioned, and it prints once it is larg
   expect(await page.locator('#min-wall').inputValue()).toBe('2.794');
 });
 
+/** A box of 10 with a cavity, in which a plate of 4 × 4 × 0.1 floats: from outside nobody sees it. */
+function hiddenPlate(): string {
+  const scaled = (text: string, of: (x: number, axis: number) => number, isReversed: boolean) =>
+    text
+      .split('\n')
+      .filter((line) => /^[vf] /.test(line))
+      .map((line) => {
+        const [kind, ...numbers] = line.split(' ');
+        if (kind === 'v') return ['v', ...numbers.map((x, axis) => of(Number(x), axis))];
+        return ['f', ...(isReversed ? numbers.reverse() : numbers)];
+      });
+  const solids = [
+    scaled(box(5, 5, 5), (x) => 2 * x, false),
+    scaled(box(4, 4, 4), (x) => 2 * x + 1, true),
+    scaled(box(4, 4, 1), (x, axis) => (axis === 2 ? 5 + 0.1 * x : 3 + x), false),
+  ];
+  let before = 0;
+  return solids
+    .flatMap((lines) => {
+      const first = before;
+      before += lines.filter(([kind]) => kind === 'v').length;
+      return lines.map(([kind, ...numbers]) =>
+        kind === 'f'
+          ? `f ${numbers.map((number) => Number(number) + first).join(' ')}`
+          : `v ${numbers.join(' ')}`,
+      );
+    })
+    .join('\n');
+}
+
+test('a weak place that the surface hides is uncovered by a section', async () => {
+  const { page, viewer } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  await drop(page, { name: 'hidden.obj', bytes: Buffer.from(hiddenPlate()) });
+  await modelIs(page, 'hidden.obj');
+  const panel = await openPanel(page, 'print');
+  await page.locator('#min-wall').fill('0.5');
+  await page.locator('#check').click();
+  await expect.poll(() => panel.locator('.answer').textContent()).toMatch(/^Fails: one place/);
+  const middle = () =>
+    viewer.evaluate((element: GirthViewer) => {
+      const { positions } = element.geometry!;
+      for (let v = 0; v < positions.length / 3; v++) {
+        const distance = Math.hypot(...[0, 1, 2].map((axis) => positions[3 * v + axis]! - 5));
+        if (distance < 0.2 && element.screenPosition(v).visible) return true;
+      }
+      return false;
+    });
+  expect(await middle()).toBe(false);
+  await panel.locator('.places button').first().click();
+  await expect.poll(() => fragment(page)).toContain('section=');
+  await expect.poll(middle).toBe(true);
+  await picture(page, 'page-print-uncovered.png');
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => fragment(page)).not.toContain('section=');
+});
+
 test('a height with a unit states that of the file; a glTF is in metres and shown in inches', async () => {
   const { page, viewer } = await openBuilt();
   await modelIs(page, 'chair.glb');

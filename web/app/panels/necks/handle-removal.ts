@@ -5,53 +5,28 @@ import type { Handle, HandleKind, HandleRemoval } from '../../../src/kernel/inde
 import { LengthInput } from '../../widgets/length-input.js';
 import { plural } from '../../model/model-words.js';
 
-/** In this order. Dropped: the tube of a handle or tunnel, which was small. */
-const done: { kind: HandleKind; isDropped: boolean; words: (count: number) => string }[] = [
-  {
-    kind: 'handle',
-    isDropped: true,
-    words: (count) => `${plural(count, 'handle', 'handles')} removed`,
-  },
-  {
-    kind: 'handle',
-    isDropped: false,
-    words: (count) => `${plural(count, 'handle', 'handles')} cut, too large to be removed whole`,
-  },
-  {
-    kind: 'tunnel',
-    isDropped: true,
-    words: (count) => `${plural(count, 'tunnel', 'tunnels')} filled`,
-  },
-  {
-    kind: 'tunnel',
-    isDropped: false,
-    words: (count) => `${plural(count, 'tunnel', 'tunnels')} closed`,
-  },
-  {
-    kind: 'unknown',
-    isDropped: true,
-    words: (count) => `${plural(count, 'loop', 'loops')} of unknown kind removed`,
-  },
-  {
-    kind: 'unknown',
-    isDropped: false,
-    words: (count) => `${plural(count, 'loop', 'loops')} of unknown kind cut`,
-  },
-];
+/** One and several of a kind; what was done with small ones, whose tube was dropped, and with the others. */
+const words: Record<HandleKind, readonly [string, string, string, string]> = {
+  handle: ['handle', 'handles', 'removed', 'cut, too large to be removed whole'],
+  tunnel: ['tunnel', 'tunnels', 'filled', 'closed'],
+  unknown: ['loop of unknown kind', 'loops of unknown kind', 'removed', 'cut'],
+};
 
 /** The result of a removal in words, without a full stop. */
 export function removalWords(removal: HandleRemoval): string {
   const { removed, genusBefore, genusAfter, crossingFaces } = removal;
-  const counts = done.map(({ kind, isDropped, words }) => {
-    const those = removed.filter((one) => one.kind === kind && one.droppedArea > 0 === isDropped);
-    return those.length > 0 ? words(those.length) : '';
-  });
-  const words = counts.filter((one) => one !== '').join(', ');
+  const counts = Object.entries(words).flatMap(([kind, [one, several, ...done]]) =>
+    done.map((what, i) => {
+      const those = removed.filter((it) => it.kind === kind && it.droppedArea > 0 === (i === 0));
+      return those.length > 0 ? `${plural(those.length, one, several)} ${what}` : '';
+    }),
+  );
+  const all = counts.filter((one) => one !== '').join(', ');
   const crossing =
     crossingFaces > 0
       ? `; no room: ${plural(crossingFaces, 'face made or moved crosses', 'faces made or moved cross')} others`
       : '';
-  return `${words}; genus ${genusBefore} before, ${genusAfter} now${crossing}`;
+  return `${all}; genus ${genusBefore} before, ${genusAfter} now${crossing}`;
 }
 
 export class HandleRemovalForm {
