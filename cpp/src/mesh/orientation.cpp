@@ -28,9 +28,12 @@ class Expansion {
     }
     parts_.push_back(value);
   }
+  /// By halves of 26 bits (Dekker), as std::fma rounds twice in some libraries (MinGW-w64).
   void addProduct(double a, double b) {
     const double product = a * b;
-    add(std::fma(a, b, -product));
+    const auto [aHigh, aLow] = halves(a);
+    const auto [bHigh, bLow] = halves(b);
+    add(aLow * bLow - (product - aHigh * bHigh - aLow * bHigh - aHigh * bLow));
     add(product);
   }
   /// Their sign is that of the greatest.
@@ -43,6 +46,14 @@ class Expansion {
   const std::vector<double>& parts() const { return parts_; }
 
  private:
+  /// The upper and the lower bits of a number, without rounding (Veltkamp).
+  static std::array<double, 2> halves(double value) {
+    constexpr double kSplitter = (1 << 27) + 1;
+    const double scaled = kSplitter * value;
+    const double high = scaled - (scaled - value);
+    return {high, value - high};
+  }
+
   std::vector<double> parts_;
 };
 
