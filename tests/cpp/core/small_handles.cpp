@@ -77,8 +77,9 @@ void expectSmallHandlesRemoved(std::uint64_t seed) {
   EXPECT_TRUE(crossingFaces(made.mesh, faces).empty());
   EXPECT_EQ(made.mesh.componentCount(), 1u);
   EXPECT_EQ(made.mesh.boundaryCount(0), 0u);
-  // By no more than the halves of rings that stood out or were missing.
-  const double halfRing = M_PI * M_PI * kRing * kTube * kTube;
+  // By no more than the halves of rings that stood out or were missing. A ring may lie deeper than
+  // half-way on the inner side of the torus, where the surface bends towards it.
+  const double halfRing = 1.2 * M_PI * M_PI * kRing * kTube * kTube;
   EXPECT_NEAR(volumeOf(made.mesh), volumeOf(mesh), 2 * halfRing + 1e-3 * volumeOf(mesh));
   // The true handle is what it was.
   const Handles left = findHandles(made.mesh, {4, 0}).value();

@@ -32,6 +32,16 @@ constexpr double kQuantile = 0.25;
 /// Below this share of the distance to its end a vertex is on the tube.
 constexpr double kSurelyInside = 0.5;
 
+/// The share of a triangle's area in which a linear function, given at the corners, is below 1.
+double shareBelowOne(std::array<double, 3> values) {
+  std::sort(values.begin(), values.end());
+  const auto [least, middle, most] = values;
+  if (most < 1) return 1;
+  if (!(least < 1)) return 0;
+  if (middle < 1) return 1 - (most - 1) * (most - 1) / ((most - least) * (most - middle));
+  return (1 - least) * (1 - least) / ((middle - least) * (most - least));
+}
+
 using Rim = std::vector<Vertex>;
 
 /// A surface cut along loops, and the two rims of each.
@@ -263,19 +273,21 @@ class CutLoops {
     HandleTube tube;
     tube.inside = Vertex(static_cast<Index>(inside - shares.begin()));
     takeEnclosed(shares, mesh_.componentOf(tube.inside));
+    for (double& share : shares) share = std::min(share, 2.0);
     double area = 0;
     for (const Face f : mesh_.faces()) {
-      int corners = 0;
-      for (const Vertex v : mesh_.faceVertices(f)) {
-        if (!(shares[v] < 1)) continue;
-        if (mesh_.isBoundary(v)) return std::nullopt;
-        ++corners;
+      const auto corners = mesh_.faceVertices(f);
+      const auto isInside = [&](Vertex v) { return shares[v] < 1; };
+      if (std::none_of(corners.begin(), corners.end(), isInside)) continue;
+      if (std::any_of(corners.begin(), corners.end(),
+                      [&](Vertex v) { return isInside(v) && mesh_.isBoundary(v); })) {
+        return std::nullopt;
       }
-      if (corners > 0) tube.faces.insert(f);
-      if (corners == 3) area += mesh_.area(f);
+      tube.faces.insert(f);
+      area += mesh_.area(f) *
+              shareBelowOne({shares[corners[0]], shares[corners[1]], shares[corners[2]]});
     }
     if (area > largestArea) return std::nullopt;
-    for (double& share : shares) share = std::min(share, 2.0);
     auto curves = levelCurves(mesh_, shares, 1);
     if (!curves || curves.value().size() != tube.ends.size()) return std::nullopt;
     std::move(curves.value().begin(), curves.value().end(), tube.ends.begin());
