@@ -7,6 +7,7 @@
 // | -------------------------- | ---------------------------------------------------------------- |
 // | kSliver ≤ kSnap ≤ kAim     | a line could pass between two windows that end at one vertex     |
 // | kSaddleAngle = kFlatAngle  | a vertex could be neither passed nor bent round                  |
+// | 4 kAim ≤ kShunned          | a line through a convex vertex could be a loop                   |
 // | kStraight ≤ kFanOverlap    | a path could go on straight where no window was sent             |
 // | kFanOverlap, kAim ≤        | the midpoint of a loop, which lies as much beside its place as   |
 // |   kShortest ≤ kTie         | the loop is bent or beside its windows, could be nearer over a   |
@@ -35,6 +36,11 @@ inline constexpr double kRounding = 1e-14;
 /// Directions at a root are known to this, in radians: a line that misses the end of a window by
 /// less passes it. Neighbouring windows that end at one vertex are so never separated by a crack.
 inline constexpr double kAim = 1e-12;
+
+/// The midpoint of a loop that lies nearer to a convex vertex than this share of the loop's length
+/// may lie on its other side: a line can miss the end of a window by kAim, and the window of the
+/// other half another one.
+inline constexpr double kShunned = 4e-12;
 
 /// A point beside an edge, or along it beside its end, by less than this share of the edge lies on
 /// it, or at the end.
@@ -77,6 +83,6 @@ inline constexpr double kTaut = 1e-8;
 static_assert(kSliver <= kSnap && kSnap <= kAim && kSaddleAngle == kFlatAngle &&
               kStraight <= kFanOverlap && kFanOverlap <= kShortest && kAim <= kShortest &&
               kShortest <= kTie && kRounding < kShortest && 100 * kRounding < kBeside * kBeside &&
-              50 * kTouch <= kTaut);
+              50 * kTouch <= kTaut && 4 * kAim <= kShunned);
 
 }  // namespace girth::geodesic

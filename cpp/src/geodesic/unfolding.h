@@ -140,15 +140,14 @@ class Unfolding {
   /// the surface.
   bool saddle(Index vertex) const { return passable_[vertex] == 2; }
 
-  /// How near to a convex vertex no midpoint of a loop is looked for; 0 at others. The line beside
-  /// the vertex on its better side keeps twice as far away, as no root is nearer than the shortest
-  /// edge.
-  double shunned(Index vertex) const {
+  /// The line beside a convex vertex on its better side keeps at least twice as far away as this,
+  /// since no root is nearer than the shortest edge; 0 at others.
+  double leastPassing(Index vertex) const {
     if (passable(vertex)) return 0;
     double shortest = crossing(outgoing(vertex)).length();
     for (const Index h : fan(vertex)) shortest = lesser(shortest, crossing(h).leftLength());
     const double missing = (boundary(vertex) ? kPi : 2 * kPi) - totalAngle(vertex);
-    return shortest * lesser(2 * kTouch, missing / 8);
+    return shortest * missing / 8;
   }
 
   /// Whether a path that arrives at a vertex from one direction, or within `spread` of it, and

@@ -22,8 +22,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTie = 1e-12;
 /// Lines that miss a point by less than this share of their length meet it.
 constexpr double kTolerance = 1e-12;
-/// So near to a convex vertex, as a share of an edge there, no midpoint is looked for.
-constexpr double kShunned = 2e-10;
+/// Places on an edge are known to this share of its length.
+constexpr double kPlace = 1e-15;
+/// So near to a convex vertex, as a share of the loop and of the edge that it crosses, no midpoint
+/// is looked for: the line may pass it on the other side.
+constexpr double kShunned = 4e-12;
 /// The farthest point is bisected to this.
 constexpr double kBisection = 2e-10;
 /// Lengths that differ by less than this share are equal but for rounding, and their paths come in
@@ -279,12 +282,20 @@ class NaiveGirth {
     } while (h != kNoIndex && h != mesh_.outgoing(Vertex(v)));
   }
 
+  /// Whether a line from the root, along `ray`, that meets the halfedge at x passes through a
+  /// window. What it may miss it by is an angle at the root, however near that is.
+  bool passes(const NaiveWindow& w, double x, Point ray) const {
+    const double oblique = ray.y > 0 ? lengthOf(ray) / ray.y : 1;
+    const double slack = kTolerance * oblique * lengthOf(Point{x, 0} - w.root) +
+                         kPlace * mesh_.length(Halfedge(w.halfedge));
+    return x >= w.b0 - slack && x <= w.b1 + slack;
+  }
+
   /// Length of a window's path to a point of its face; infinite where it covers that not.
   double lengthTo(const NaiveWindow& w, Point q) const {
     const Point ray = q - w.root;
     const double x = ray.y > 0 ? w.root.x - w.root.y * ray.x / ray.y : q.x;
-    const double slack = kTolerance * (mesh_.length(Halfedge(w.halfedge)) + lengthOf(ray));
-    if (x < w.b0 - slack || x > w.b1 + slack) return kInfinity;
+    if (!passes(w, x, ray)) return kInfinity;
     // Beside the window only the way round its end is a path.
     const Point turn{std::clamp(x, w.b0, w.b1), 0};
     return w.sigma + lengthOf(turn - w.root) + lengthOf(q - turn);
@@ -428,8 +439,7 @@ class NaiveGirth {
           if (!(line.y > 0)) continue;
           const double x = up.root.x - up.root.y * line.x / line.y;
           const double whole = lengthOf(line), slack = kTolerance * (length + whole);
-          if (x < up.b0 - slack || x > up.b1 + slack) continue;
-          if (x < length - down.b1 - slack || x > length - down.b0 + slack) continue;
+          if (!passes(up, x, line) || !passes(down, length - x, line)) continue;
           double toMidpoint = (whole + down.sigma - up.sigma) / 2;
           if (toMidpoint < -slack || toMidpoint > whole + slack) continue;
           toMidpoint = std::clamp(toMidpoint, 0.0, whole);  // at a root but for rounding
@@ -454,7 +464,8 @@ class NaiveGirth {
     for (const Point corner : corners) {
       const Vertex v = mesh_.from(out);
       const double missing = straightAngle(v) - mesh_.totalAngle(v);
-      const double near = std::min(kShunned, missing / 8) * shortestEdge(v);
+      const double near = std::min(kShunned * (length + mesh_.length(Halfedge(halfedge))),
+                                   missing / 8 * shortestEdge(v));
       if (missing > kFlat && lengthOf(midpoint - corner) < near) return;
       out = SurfaceMesh::next(out);
     }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "girth/girth.h"
 #include "girth/study/naive_girth.h"
 #include "regular_checks.h"
@@ -43,6 +45,48 @@ TEST(RegularTube, LoopAlongTheRimIsFound) {
   const GirthValue naive = study::naiveGirth(mesh, Vertex(8)).value();
   EXPECT_EQ(naive.kind, LoopKind::Loop);
   EXPECT_NEAR(naive.length, kRim, 1e-12 * kRim);
+}
+
+/// A rectangle of 1 by 2 covered twice, with vertices a little way from a corner on both sides of
+/// it, and two vertices on either sheet.
+Shape doubledRectangle(double beside, double x, double y) {
+  Shape shape;
+  for (const auto& [a, b] : {std::pair{0.0, 0.0},
+                             {beside, 0.0},
+                             {1.0, 0.0},
+                             {1.0, 2.0},
+                             {0.0, 2.0},
+                             {0.0, 2 * beside}}) {
+    shape.add(a, b, 0);
+  }
+  const Index rim = shape.vertexCount();
+  for (const bool below : {false, true}) {
+    const Index middle = shape.add(x, y, 0);
+    for (Index i = 0; i < rim; ++i) {
+      const Index j = (i + 1) % rim;
+      shape.face(below ? j : i, below ? i : j, middle);
+    }
+  }
+  return shape;
+}
+
+// Each corner is a cone of exactly π, round which lines just close up: through its apex, and so
+// they are no loops. Rounding alone decides on which side of the apex they lie.
+TEST(DoubledRectangle, LoopsGoRoundItAndNotRoundItsCorners) {
+  for (const double beside : {0.1, 1e-3, 1e-5, 1e-6, 1e-7}) {
+    for (const auto& [x, y] :
+         {std::pair{0.5, 0.6}, {0.3, 0.7}, {0.1, 0.7}, {0.71, 0.55}, {0.4321, 0.5678}}) {
+      const SurfaceMesh mesh = doubledRectangle(beside, x, y).mesh();
+      for (const Vertex base : {Vertex(6), Vertex(7)}) {
+        SCOPED_TRACE(testing::Message() << beside << " " << x << " " << y);
+        const GirthValue exact = GirthSolver(mesh).value(base).value();
+        EXPECT_EQ(exact.kind, LoopKind::Loop);
+        EXPECT_NEAR(exact.length, 2, 1e-12);
+        const GirthValue naive = study::naiveGirth(mesh, base).value();
+        EXPECT_NEAR(naive.length, 2, 1e-12);
+      }
+    }
+  }
 }
 
 class RegularShapes : public testing::TestWithParam<int> {};

@@ -12,6 +12,7 @@ using geodesic::CrossingResult;
 using geodesic::dot;
 using geodesic::kAim;
 using geodesic::kShortest;
+using geodesic::kShunned;
 using geodesic::kTie;
 using geodesic::kTouch;
 using geodesic::norm;
@@ -253,7 +254,7 @@ bool LoopSearch::worthwhile(double length, Index halfedge, Vec2 midpoint) const 
     const double rest = half - propagation_->distance(c.from());
     if (rest > 0 && rest * rest > dot(q, q)) return false;
     // No geodesic passes a convex vertex, though its neighbours on one side may tend to that line.
-    if (norm(q) < 2 * kTouch * c.length() && norm(q) < unfolding.shunned(c.from())) return false;
+    if (norm(q) < kShunned * length && norm(q) < unfolding.leastPassing(c.from())) return false;
   }
   return true;
 }
