@@ -123,7 +123,7 @@ test('a weak place that the surface hides is uncovered by a section', async () =
   await expect.poll(() => panel.locator('.answer').textContent()).toMatch(/^Fails: one place/);
   const middle = () =>
     viewer.evaluate((element: GirthViewer) => {
-      const { positions } = element.geometry!;
+      const { positions } = element.geometry;
       for (let v = 0; v < positions.length / 3; v++) {
         const distance = Math.hypot(...[0, 1, 2].map((axis) => positions[3 * v + axis]! - 5));
         if (distance < 0.2 && element.screenPosition(v).visible) return true;

@@ -283,7 +283,7 @@ class NaiveGirth {
   }
 
   /// Whether a line from the root, along `ray`, that meets the halfedge at x passes through a
-  /// window. What it may miss it by is an angle at the root, however near that is.
+  /// window. A line may miss it by a small angle at the root.
   bool passes(const NaiveWindow& w, double x, Point ray) const {
     const double oblique = ray.y > 0 ? lengthOf(ray) / ray.y : 1;
     const double slack = kTolerance * oblique * lengthOf(Point{x, 0} - w.root) +

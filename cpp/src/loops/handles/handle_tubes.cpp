@@ -84,7 +84,7 @@ class CutLoops {
   }
 
  private:
-  /// What lies on one side of a loop: distances from it, and the one at which its tube ends.
+  /// One side of a loop: distances from it, and the distance at which its tube ends.
   struct Side {
     std::vector<double> distances;
     double end{0};    // 0: there is none
@@ -108,7 +108,7 @@ class CutLoops {
   }
 
   struct Reach {
-    double area;      // of the faces all of whose corners were reached
+    double area;      // the sum over faces with all corners reached
     double complete;  // curves at this distance and less run through no other face
   };
 
@@ -294,7 +294,7 @@ class CutLoops {
     return tube;
   }
 
-  /// Of the connected pieces outside all but the largest become inside.
+  /// Connected pieces outside become inside, but for the largest.
   void takeEnclosed(std::vector<double>& shares, Index component) const {
     std::vector<std::vector<Vertex>> outside;
     std::vector<bool> isSeen(mesh_.vertexCount(), false);

@@ -130,8 +130,8 @@ bool isClear(const Result<std::optional<Step>>& made) {
   return made && made.value() && made.value()->closed.crossingFaces == 0;
 }
 
-/// The same with the tubes of all that are small, but those without which a surface is left that
-/// crosses itself. Errors are the same.
+/// Removes all handles, small ones with their tubes. A tube stays where the surface would cross
+/// itself without it. Errors: as above.
 Result<Step> without(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
                      const ExecutionContext& context) {
   auto tubes = loops::findHandleTubes(mesh, handles, context);
