@@ -36,6 +36,8 @@ constexpr double kRounding = 1e-14, kBeside = 1e-5;
 constexpr double kGap = 1e-4;
 /// So near to a vertex, as a share of the distance, a point is next to it.
 constexpr double kNearVertex = 1e-9;
+/// So many windows take about 1 GB, and so many pairs of them a few seconds.
+constexpr std::size_t kMostWindows = std::size_t{1} << 23, kMostPairs = std::size_t{1} << 28;
 /// A vertex is convex if so much or more is missing to a full angle.
 constexpr double kFlat = 1e-12;
 
@@ -69,6 +71,14 @@ class NaiveGirth {
 
   Result<GirthValue> compute() {
     propagate();
+    if (windows_.size() > kMostWindows) {
+      return makeError(ErrorCode::LimitExceeded, source_,
+                       "the naive method keeps more than 2^23 windows of this vertex");
+    }
+    if (pairs() > kMostPairs) {
+      return makeError(ErrorCode::LimitExceeded, source_,
+                       "the naive method tries more than 2^28 pairs of windows of this vertex");
+    }
     testEdges();
     testWindowPairs();
     if (context_.cancelled()) return makeError(ErrorCode::Cancelled, source_, "cancelled");
@@ -114,7 +124,7 @@ class NaiveGirth {
   void propagate() {
     distance_[source_] = 0;
     leaveVertex(source_, 0, mesh_.totalAngle(Vertex(source_)));
-    while (!queue_.empty() && !context_.cancelled()) {
+    while (!queue_.empty() && !context_.cancelled() && windows_.size() <= kMostWindows) {
       const Event event = queue_.top();
       queue_.pop();
       if (event.vertex == kNoIndex) {
@@ -425,6 +435,16 @@ class NaiveGirth {
 
   // --- Step 3: loops across an edge
   // --------------------------------------------------------------------
+
+  /// How many pairs testWindowPairs tries.
+  std::size_t pairs() const {
+    std::size_t count = 0;
+    for (const Halfedge h : mesh_.halfedges()) {
+      if (mesh_.from(h) > mesh_.to(h) || mesh_.twin(h) == kNoIndex) continue;
+      count += onHalfedge_[h].size() * onHalfedge_[mesh_.twin(h)].size();
+    }
+    return count;
+  }
 
   void testWindowPairs() {
     for (const Halfedge h : mesh_.halfedges()) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -81,8 +82,8 @@ TEST(ExactIsNaiveOnAHorse, AtAllVertices) {
   expectNaive(corpusModel("horse_1500f.off"), 0);
 }
 
-/// All vertices of small models, some of larger ones. The naive method keeps every window: beyond
-/// 20,000 faces it takes more than 16 GB, and such models are left out.
+/// All vertices of small models, some of larger ones. The naive method keeps every window: models
+/// of more than 20,000 faces are left out, and the rest of one where it gives up.
 void expectNaiveAtSome(const SurfaceMesh& mesh) {
   constexpr Index kWhole = 1200, kSome = 200, kLarge = 20'000;
   if (mesh.faceCount() > kLarge) return;
@@ -92,7 +93,13 @@ void expectNaiveAtSome(const SurfaceMesh& mesh) {
   for (Index i = 0; i < count; ++i) {
     const Vertex v(static_cast<Index>(std::uint64_t{i} * vertices / count));
     const GirthValue exact = solver.value(v).value();
-    const GirthValue naive = study::naiveGirth(mesh, v).value();
+    const auto found = study::naiveGirth(mesh, v);
+    if (!found) {
+      ASSERT_EQ(found.error().code, ErrorCode::LimitExceeded);
+      std::printf("  left at vertex %u: %s\n", Index{v}, found.error().message.c_str());
+      return;
+    }
+    const GirthValue& naive = found.value();
     if (exact.kind == LoopKind::Unresolved) continue;
     EXPECT_NEAR(exact.length / naive.length, 1, 1e-9) << "vertex " << v;
   }
@@ -115,6 +122,8 @@ TEST_P(ExactIsNaiveOnTheCorpus, InEveryFile) {
     const auto loaded = io::loadMesh(files[i]);
     if (!loaded) continue;
     SCOPED_TRACE(files[i]);
+    std::printf("%s: %u faces\n", files[i].c_str(), loaded.value().mesh.faceCount());
+    std::fflush(stdout);
     expectNaiveAtSome(loaded.value().mesh);
     ++surfaces;
   }

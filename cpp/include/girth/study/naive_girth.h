@@ -15,7 +15,8 @@ namespace girth::study {
 
 /// I(p) by computing the whole exact distance field of p, keeping every window, and testing every
 /// mesh edge and every pair of windows that meet from opposite sides. O(n^3 log n) time and O(n^2)
-/// memory at worst. Errors: VERTEX_OUT_OF_RANGE, CANCELLED.
+/// memory at worst. Errors: VERTEX_OUT_OF_RANGE, CANCELLED; LIMIT_EXCEEDED: more than 2^23 windows,
+/// or 2^28 pairs of them. An average surface of 40,000 faces has as many windows.
 GIRTH_EXPORT Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Vertex vertex,
                                            const ExecutionContext& context = {});
 

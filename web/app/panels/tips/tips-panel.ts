@@ -28,6 +28,7 @@ export class TipsPanel {
   readonly #list = new PlaceList('Tips');
   readonly #arcs = new PlaceList('Other lines');
   readonly #arcsTitle = make('h3');
+  readonly #results = make('div', { class: 'results' });
   readonly #shown = make('input', { id: 'tips-shown', type: 'checkbox' });
   readonly #jump = make('input', {
     id: 'tips-jump',
@@ -58,6 +59,13 @@ export class TipsPanel {
       find: () => viewer.tips(),
       changed: (status) => this.#changed(status),
     });
+    this.#results.append(
+      this.#words,
+      this.#list.element,
+      this.#arcsTitle,
+      make('p', { class: 'hint' }, 'Here the girth jumps, but nothing is cut off.'),
+      this.#arcs.element,
+    );
     this.panel.body.append(
       make(
         'p',
@@ -68,15 +76,7 @@ export class TipsPanel {
         term('girth', 'girth'),
         ' cuts off.',
       ),
-      make(
-        'div',
-        { class: 'results' },
-        this.#words,
-        this.#list.element,
-        this.#arcsTitle,
-        make('p', { class: 'hint' }, 'Here the girth jumps, but nothing is cut off.'),
-        this.#arcs.element,
-      ),
+      this.#results,
       make('label', { class: 'check' }, this.#shown, ' Show them on the surface'),
       make(
         'div',
@@ -133,7 +133,10 @@ export class TipsPanel {
   #changed(status: Status<Tips>): void {
     this.rises = undefined;
     if (status.is === 'done') {
-      const { tips } = status.found;
+      const { tips, arcs } = status.found;
+      // The title of the lines and its explanation are as high as two of them.
+      const rows = tips.length + (arcs.length > 0 ? arcs.length + 2 : 0);
+      this.#results.style.setProperty('--rows', String(rows));
       this.rises = new Float64Array(this.#viewer.info!.vertexCount);
       // The largest last: a vertex in several tips has the rise of the highest.
       for (const { vertices, jump } of [...tips].reverse()) {
