@@ -443,6 +443,23 @@ test('a path is drawn by clicks and strokes, taken back, measured, and kept in t
   }
   await plot.waitFor({ timeout: 60_000 });
   expect(fragment(page)).toContain(`profile=${words}`);
+
+  // Drawn tight it is shorter, is measured anew, and can be taken back.
+  const tight = between.getByRole('button', { name: 'Draw the path tight' });
+  await tight.click();
+  const said = between.getByText(/^Drawn tight: [\d.]+ long, before [\d.]+\./);
+  await said.waitFor({ timeout: 60_000 });
+  const [after, before] = (await said.textContent())!.match(/\d+\.\d+/g)!.map(Number);
+  expect(after).toBeLessThan(before!);
+  expect(before).toBeCloseTo(known.length, 1);
+  await expect.poll(() => fragment(page)).not.toContain(`profile=${words}`);
+  await plot.waitFor();
+  expect(await tight.isVisible()).toBe(false);
+  await picture(page, 'page-drawn-tight.png');
+  await viewer.focus();
+  await page.keyboard.press('Control+z');
+  await tight.waitFor({ timeout: 60_000 });
+  expect(fragment(page)).toContain(`profile=${words}`);
 });
 
 test('two points are chosen with a finger, and by the keyboard alone', async () => {

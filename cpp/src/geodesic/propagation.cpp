@@ -341,6 +341,7 @@ void Propagation::reachByWindows(Index halfedge, std::uint32_t first,
       arrival->bundle = {halfedge, w.root, w.sigma};
     }
   }
+  if (best == begin && end == begin + 1) return;  // nothing else to tie with it
   const double longest = tied(distance_[c.apexVertex()]);
   if (std::isinf(longest)) return;
   // Windows are in the processor's cache here, and the vertex need not be.

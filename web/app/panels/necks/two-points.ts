@@ -6,12 +6,14 @@ import {
   type ViewerState,
   formatLength,
   make,
+  mostPathPoints,
   writePath,
 } from '../../../src/element/index.js';
 import type { Bottleneck, Profile, SurfacePoint } from '../../../src/kernel/index.js';
 import type { PageState } from '../../state/address-state.js';
 import { AlongPlot } from '../../widgets/along-plot.js';
 import { formatArea } from '../../widgets/area-words.js';
+import { failureWords } from '../../widgets/failure-words.js';
 import type { PagePlot } from '../../export/page-plot.js';
 import { PanelSearch } from '../../widgets/panel-search.js';
 import { PathDrawing } from './path-drawing.js';
@@ -28,6 +30,11 @@ const kindWords = {
   neck: 'a neck between the points',
   pass: 'a narrow place between the points, no neck',
   end: 'at one of the points: no neck is between them',
+} as const;
+const promiseWords = {
+  shortest: ' No path of its class is shorter.',
+  local: '',
+  shorter: ' It can be drawn tighter.',
 } as const;
 /** A path through more points than these has only its ends marked. */
 const mostMarked = 12;
@@ -66,6 +73,9 @@ export class TwoPoints {
   readonly #list = new PlaceList('Bottleneck');
   readonly #plot: AlongPlot;
   readonly #other = make('button', { type: 'button', class: 'more' });
+  readonly #tighten = make('button', { type: 'button', class: 'more' }, 'Draw the path tight');
+  /** How long the path was before it was drawn tight. */
+  #tightWords = '';
   #question: Question = 'bottleneck';
   #points: SurfacePoint[] = [];
   /** Whether the question was asked here, not by a link, which has a camera of its own. */
@@ -100,7 +110,7 @@ export class TwoPoints {
         const shown = 'bottleneck' in answer ? this.#list : this.#plot;
         if (this.#isByHand) shown.element.scrollIntoView({ block: 'nearest' });
         if ('bottleneck' in answer) events.chosen(answer.bottleneck, this.#isByHand);
-        return '';
+        return this.#tightWords;
       },
     });
     for (const question of ['bottleneck', 'profile'] as const) {
@@ -143,6 +153,7 @@ export class TwoPoints {
       if (this.#question === 'profile') this.#points = ends;
       this.#answer(this.#question === 'bottleneck' ? 'profile' : 'bottleneck');
     });
+    this.#tighten.addEventListener('click', () => void this.#drawTight());
     this.element = make(
       'section',
       { class: 'between', 'aria-label': 'Between two points' },
@@ -156,6 +167,7 @@ export class TwoPoints {
       this.#search.element,
       this.#list.element,
       this.#plot.element,
+      this.#tighten,
       this.#other,
     );
     viewer.addEventListener('hover', ({ detail: { vertex } }) => this.#point(vertex));
@@ -167,6 +179,7 @@ export class TwoPoints {
     this.stop();
     this.#search.clear();
     this.#points = [];
+    this.#tightWords = '';
     this.#show();
   }
 
@@ -372,8 +385,39 @@ export class TwoPoints {
     this.#search.say('Not measured.');
   }
 
+  /** The path is moved over the surface, with its ends fixed, to where it is straight. */
+  async #drawTight(): Promise<void> {
+    const [points, viewer] = [this.#points, this.#viewer];
+    try {
+      const tight = await (await viewer.mesh).tighten({ points });
+      if (this.#points !== points) return;
+      if (tight.kind === 'point') {
+        this.#search.say('Drawn tight, the path shrinks to a point.');
+        return;
+      }
+      const last = tight.points.length - 1;
+      // A link holds fewer points than a long path crosses edges.
+      const kept = Math.min(last, mostPathPoints - 1);
+      this.#points = Array.from(
+        { length: kept + 1 },
+        (_, i) => tight.points[Math.round((i * last) / kept)]!,
+      );
+      const [before, after] = [tight.lengthBefore, tight.length].map((length) =>
+        formatLength(length, viewer.lengthFormat),
+      );
+      this.mark(true);
+      this.#answer(
+        'profile',
+        `Drawn tight: ${after} long, before ${before}.${promiseWords[tight.promise]}`,
+      );
+    } catch (error) {
+      if (this.#points === points) this.#search.say(`Not drawn tight: ${failureWords(error)}.`);
+    }
+  }
+
   /** Answers a question about the points that there are. */
-  #answer(question: Question): void {
+  #answer(question: Question, tightWords = ''): void {
+    this.#tightWords = tightWords;
     this.#question = question;
     this.#isByHand = true;
     this.#search.clear();
@@ -394,6 +438,7 @@ export class TwoPoints {
   #show(): void {
     const profile = this.#profile;
     this.#other.hidden = this.#search.found === undefined;
+    this.#tighten.hidden = !profile || this.#points.length === 2 || this.#tightWords !== '';
     this.#other.textContent =
       this.#question === 'bottleneck'
         ? 'Profile between these points'
