@@ -66,7 +66,8 @@ TEST_F(Command, handlesAreRemovedUpToALength) {
   EXPECT_EQ(Json::parse(run({"info", path("repaired.obj"), "--json"}).output)["genus"], Json({0}));
   EXPECT_TRUE(
       contains(run({"remesh", model, "--remove-handles", "4", "-o", path("repaired.obj")}).output,
-               "genus 0 (before: 1): 0 handles dropped, 1 handle cut, 0 tunnels filled, 0 tunnels closed\n"));
+               "genus 0 (before: 1): 0 handles dropped, 1 handle cut, 0 tunnels filled, 0 tunnels "
+               "closed\n"));
   for (const std::string length : {"-1", "nan", "wide"}) {
     const Outcome outcome =
         run({"remesh", model, "--remove-handles", length, "-o", path("repaired.obj")});
