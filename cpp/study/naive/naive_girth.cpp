@@ -23,7 +23,7 @@ constexpr double kTie = 1e-12;
 /// Lines that miss a point by less than this share of their length meet it.
 constexpr double kTolerance = 1e-12;
 /// Places on an edge are known to this share of its length.
-constexpr double kPlace = 1e-15;
+constexpr double kPlace = 1e-14;
 /// So near to a convex vertex, as a share of the loop and of the edge that it crosses, no midpoint
 /// is looked for: the line may pass it on the other side.
 constexpr double kShunned = 4e-12;
@@ -311,6 +311,15 @@ class NaiveGirth {
     return w.sigma + lengthOf(turn - w.root) + lengthOf(q - turn);
   }
 
+  /// Where that path comes from: the root, or the vertex round which it bends.
+  Point comesFrom(const NaiveWindow& w, Point q) const {
+    const Point ray = q - w.root;
+    const double x = ray.y > 0 ? w.root.x - w.root.y * ray.x / ray.y : q.x;
+    const double length = mesh_.length(Halfedge(w.halfedge));
+    if (w.b0 == 0 && x < 0) return {0, 0};
+    return w.b1 == length && x > length ? Point{length, 0} : w.root;
+  }
+
   /// Visits the paths to a point of a face, in the plane of a halfedge of that face, that are
   /// shorter than `longest`: their lengths, and the vectors from the point back along them, in the
   /// plane of the halfedge turned by `angle`.
@@ -324,7 +333,7 @@ class NaiveGirth {
       for (const std::size_t i : onHalfedge_[h]) {
         const NaiveWindow& w = windows_[i];
         const double length = lengthTo(w, q);
-        if (length < longest) visit(length, w.root - q, angle);
+        if (length < longest) visit(length, comesFrom(w, q) - q, angle);
       }
       // On to the plane of the next side.
       const Point o = apex(h), end{mesh_.length(Halfedge(h)), 0};
