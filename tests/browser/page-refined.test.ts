@@ -50,7 +50,7 @@ test('few triangles first, then refined: an audit in words, states as colours an
   await list.selectOption('refined');
   await said
     .getByText('200 of 200 vertices that were drawn at random and computed exactly are equal')
-    .waitFor();
+    .waitFor({ timeout: 120_000 });
   await expect.poll(() => fragment(page)).toContain('method=refined');
   const refined = await girthOf(viewer);
   expect(refined.method).toBe('refined');
