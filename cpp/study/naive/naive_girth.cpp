@@ -292,6 +292,13 @@ class NaiveGirth {
     } while (h != kNoIndex && h != mesh_.outgoing(Vertex(v)));
   }
 
+  /// Where the line from a root to a point meets the halfedge between them. A point that is not
+  /// above the root has its own place along the halfedge.
+  static double meets(Point root, Point q) {
+    const Point ray = q - root;
+    return ray.y > 0 ? root.x - root.y * ray.x / ray.y : q.x;
+  }
+
   /// Whether a line from the root, along `ray`, that meets the halfedge at x passes through a
   /// window. A line may miss it by a small angle at the root.
   bool passes(const NaiveWindow& w, double x, Point ray) const {
@@ -303,9 +310,8 @@ class NaiveGirth {
 
   /// Length of a window's path to a point of its face; infinite where it covers that not.
   double lengthTo(const NaiveWindow& w, Point q) const {
-    const Point ray = q - w.root;
-    const double x = ray.y > 0 ? w.root.x - w.root.y * ray.x / ray.y : q.x;
-    if (!passes(w, x, ray)) return kInfinity;
+    const double x = meets(w.root, q);
+    if (!passes(w, x, q - w.root)) return kInfinity;
     // Beside the window only the way round its end is a path.
     const Point turn{std::clamp(x, w.b0, w.b1), 0};
     return w.sigma + lengthOf(turn - w.root) + lengthOf(q - turn);
@@ -313,9 +319,7 @@ class NaiveGirth {
 
   /// Where that path comes from: the root, or the vertex round which it bends.
   Point comesFrom(const NaiveWindow& w, Point q) const {
-    const Point ray = q - w.root;
-    const double x = ray.y > 0 ? w.root.x - w.root.y * ray.x / ray.y : q.x;
-    const double length = mesh_.length(Halfedge(w.halfedge));
+    const double x = meets(w.root, q), length = mesh_.length(Halfedge(w.halfedge));
     if (w.b0 == 0 && x < 0) return {0, 0};
     return w.b1 == length && x > length ? Point{length, 0} : w.root;
   }
@@ -466,7 +470,7 @@ class NaiveGirth {
           const Point top{length - down.root.x, -down.root.y};  // the other root, in the plane of h
           const Point line = top - up.root;
           if (!(line.y > 0)) continue;
-          const double x = up.root.x - up.root.y * line.x / line.y;
+          const double x = meets(up.root, top);
           const double whole = lengthOf(line), slack = kTolerance * (length + whole);
           if (!passes(up, x, line) || !passes(down, length - x, line)) continue;
           double toMidpoint = (whole + down.sigma - up.sigma) / 2;
