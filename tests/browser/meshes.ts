@@ -324,7 +324,7 @@ export function stl(obj: string): Uint8Array<ArrayBuffer> {
 }
 
 /** A surface with every coordinate of every vertex put elsewhere. */
-function placed(obj: string, place: (coordinate: number, axis: number) => number): string {
+export function placed(obj: string, place: (coordinate: number, axis: number) => number): string {
   return obj.replace(/^v (.*)$/gm, (_, numbers: string) =>
     ['v', ...numbers.split(' ').map((number, axis) => place(Number(number), axis))].join(' '),
   );

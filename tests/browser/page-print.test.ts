@@ -4,7 +4,7 @@ import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { complaintsOfAxe } from './axe.js';
 import { clicksOn } from './clicks.js';
-import { box } from './meshes.js';
+import { beside, box, moved, placed, scaled, turnedOver } from './meshes.js';
 import { builtPage, drop, fragment, modelIs, openPanel, picture } from './page-support.js';
 import { fieldComplete } from './viewer-page.js';
 
@@ -84,32 +84,9 @@ test('a model of one unit: its size is questioned, and it prints once it is larg
 
 /** A box of 10 with a cavity, in which a plate of 4 × 4 × 0.1 floats: from outside nobody sees it. */
 function hiddenPlate(): string {
-  const scaled = (text: string, of: (x: number, axis: number) => number, isReversed: boolean) =>
-    text
-      .split('\n')
-      .filter((line) => /^[vf] /.test(line))
-      .map((line) => {
-        const [kind, ...numbers] = line.split(' ');
-        if (kind === 'v') return ['v', ...numbers.map((x, axis) => of(Number(x), axis))];
-        return ['f', ...(isReversed ? numbers.reverse() : numbers)];
-      });
-  const solids = [
-    scaled(box(5, 5, 5), (x) => 2 * x, false),
-    scaled(box(4, 4, 4), (x) => 2 * x + 1, true),
-    scaled(box(4, 4, 1), (x, axis) => (axis === 2 ? 5 + 0.1 * x : 3 + x), false),
-  ];
-  let before = 0;
-  return solids
-    .flatMap((lines) => {
-      const first = before;
-      before += lines.filter(([kind]) => kind === 'v').length;
-      return lines.map(([kind, ...numbers]) =>
-        kind === 'f'
-          ? `f ${numbers.map((number) => Number(number) + first).join(' ')}`
-          : `v ${numbers.join(' ')}`,
-      );
-    })
-    .join('\n');
+  const cavity = turnedOver(moved(scaled(box(4, 4, 4), 2), [1, 1, 1]));
+  const plate = placed(box(4, 4, 1), (x, axis) => (axis === 2 ? 5 + 0.1 * x : 3 + x));
+  return beside(beside(scaled(box(5, 5, 5), 2), cavity, 0), plate, 0);
 }
 
 test('a weak place that the surface hides is uncovered by a section', async () => {

@@ -1,11 +1,11 @@
 // `npm run list:words`: writes all words that the page and the element show or speak into build/page-words.txt, by
 // source file, so that a reader can go through them at one sitting.
 
-import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import ts from 'typescript';
 import { repository } from './run.mjs';
+import { filesBelow } from './stale.mjs';
 
 /** Two words or more: single ones are mostly names of classes, events and attributes. */
 const severalWords = /[A-Za-z]{2,} +[A-Za-z{]/;
@@ -47,12 +47,8 @@ function wordsOf(path) {
   return [...words];
 }
 
-const paths = execFileSync('git', ['ls-files', 'web/app', 'web/src/element'], {
-  cwd: repository,
-  encoding: 'utf8',
-})
-  .trim()
-  .split('\n')
+const paths = ['web/app', 'web/src/element']
+  .flatMap(filesBelow)
   .filter((path) => /\.(ts|html)$/.test(path) && !path.includes('/examples/'));
 const list = paths.flatMap((path) => {
   const words = wordsOf(path);
